@@ -1,0 +1,5 @@
+#![no_std]
+//! lt-math
+#[cfg(feature = "std")]
+extern crate std;
+pub use glam;

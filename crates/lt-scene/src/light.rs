@@ -1,0 +1,58 @@
+//! Light sources.
+
+use lt_math::glam::Vec3;
+
+/// Shape and place of a light, world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LightKind {
+    /// Parallel light.
+    Directional {
+        /// Unit direction in which the light travels.
+        direction: Vec3,
+    },
+    /// Shines everywhere from a point.
+    Point {
+        /// Position.
+        position: Vec3,
+        /// Distance past which it has no effect; infinite if unlimited.
+        range: f32,
+    },
+    /// Shines into a cone.
+    Spot {
+        /// Position.
+        position: Vec3,
+        /// Unit axis along which the light travels.
+        direction: Vec3,
+        /// Half-angle up to which it shines fully, radians.
+        inner_cone_rad: f32,
+        /// Half-angle past which it does not shine, radians, below π/2.
+        outer_cone_rad: f32,
+        /// Distance past which it has no effect; infinite if unlimited.
+        range: f32,
+    },
+}
+
+/// One light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// For messages and reports; may be empty.
+    pub name: String,
+    /// Kind and place.
+    pub kind: LightKind,
+    /// Linear RGB colour.
+    pub color: Vec3,
+    /// Lux for directional lights, candela for the others.
+    pub intensity: f32,
+}
+
+impl Light {
+    /// A white directional light travelling along `direction` (any finite non-zero length).
+    pub fn sun(direction: Vec3) -> Self {
+        Self {
+            name: "sun".to_owned(),
+            kind: LightKind::Directional { direction: direction.normalize() },
+            color: Vec3::ONE,
+            intensity: 1.0,
+        }
+    }
+}
