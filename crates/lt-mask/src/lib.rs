@@ -1,2 +1,73 @@
 #![no_std]
-//! lt-mask
+//! Three bits of history per light and pixel, and what they decide: trace a ray, or trust the map.
+//!
+//! # Idea
+//!
+//! A filterable shadow map answers with a visibility, and the leak tracing test ([`lt_math::needs_ray`]) sends a ray
+//! where that answer is neither clearly lit nor clearly shadowed. Two things still go wrong: casters that fell between
+//! texels leave confident answers that are wrong, and doubt that each frame resolves in the same way costs the same ray
+//! again and again. Both are visible in the last frame (Kern, Brüll, Grosch 2024, §3.1):
+//!
+//! - **ER, expand rays:** if any neighbour's ray or shadow test contradicted what this pixel now believes, trace here
+//!   too. Correct edges grow along the geometry until they close, within a few frames.
+//! - **RR, remove rays:** if all neighbours' histories confirm the shadow test, believe it without a ray.
+//!
+//! What a pixel remembers is [`MaskBits`]: ST (the shadow test said shadow), LTT (a ray was traced), RS (the ray hit).
+//! [`PackedMask`] holds 42 lights in a 128-bit texel, [`reproject()`] finds the pixel's past, [`Pattern`] picks the
+//! neighbours, [`decide()`] puts it all in order.
+//!
+//! # Conventions
+//!
+//! Visibility is 1 lit, 0 shadowed; ST and RS are true for *shadow*. Pixels count from the top left. Motion leads from
+//! this frame to the last. A history that was merely cleared claims "confidently lit" everywhere and misleads ER for
+//! good: start with every pixel [`Reprojection::is_valid`] = false, which traces one full frame.
+//!
+//! Nothing here allocates or panics, and the same code runs in shaders.
+//!
+//! # Example
+//!
+//! ```
+//! use lt_mask::{Evidence, MaskBits, Neighbourhood, Pattern, allows_removal, decide, is_test_shadowed, reproject};
+//! use lt_math::glam::{UVec2, Vec2};
+//!
+//! let size = UVec2::new(4, 4);
+//! // Last frame: everything confidently lit, but one ray found a wire that the map had missed.
+//! let mut history = [MaskBits::BLACK; 16];
+//! history[5] = MaskBits::PURPLE;
+//!
+//! // Now the map calls pixel (2, 1) lit; it has not moved.
+//! let (pixel, visibility, frame) = (UVec2::new(2, 1), 1.0, 0);
+//! let place = reproject(pixel, Vec2::ZERO, size);
+//! let mut neighbourhood = Neighbourhood::EMPTY;
+//! for i in 0..Pattern::FULL_3X3.neighbour_count() {
+//!     let n = Pattern::FULL_3X3.neighbour(i, place.pixel, frame, size);
+//!     neighbourhood = neighbourhood.with(history[(n.y * 4 + n.x) as usize], is_test_shadowed(visibility));
+//! }
+//! let evidence = Evidence {
+//!     is_on_map: true,
+//!     is_reprojected: place.is_valid,
+//!     neighbourhood,
+//!     allows_removal: allows_removal(true, false, true, place.has_moved),
+//! };
+//! let decision = decide(visibility, lt_math::LTT_EPSILON, evidence);
+//! assert!(decision.needs_ray, "the wire's edge grows to this pixel");
+//! assert_eq!(decision.mask_with_ray(true), MaskBits::PURPLE);
+//! ```
+
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+mod bits;
+mod decide;
+mod pack;
+mod pattern;
+mod reproject;
+
+pub use bits::MaskBits;
+pub use decide::{
+    DEPTH_CONSISTENCY_TOLERANCE, Decision, Evidence, Neighbourhood, Reason, SHADOW_TEST_THRESHOLD,
+    allows_removal, decide, expands_ray, is_depth_consistent, is_test_shadowed, removes_ray,
+};
+pub use pack::{MAX_LIGHTS, PackedMask, words_for_lights};
+pub use pattern::{Pattern, gather_corner};
+pub use reproject::{Reprojection, STILL_MOTION_PX, reproject};

@@ -1,1 +1,50 @@
-//! lt-render
+//! Shadows by estimate, doubt and resolve.
+//!
+//! # Idea
+//! A [`Technique`] answers, per pixel, three questions: what does a cheap map say (*estimate*), may that be wrong
+//! here (*doubt*), and what is the truth there (*resolve*)? Full ray tracing, shadow maps and leak tracing are all
+//! values of that one type. An [`EffectPlan`] lists what a scene, a view and a technique call for; the frame driver
+//! runs exactly the passes of the plan. Two backends supply "run this pass": [`cpu`] calls the kernels of
+//! `lt-shaders` from rayon, [`gpu`] dispatches the same kernels compiled to SPIR-V.
+//!
+//! Visibility is 1 where the light is seen and 0 where it is blocked. Positions are world space, metres or whatever
+//! the scene uses: nothing depends on the unit.
+//!
+//! ```
+//! use lt_render::{BackendKind, Session, Setup, Technique};
+//! use lt_scene::{Source, builtin::Builtin};
+//!
+//! let scene = Source::from(Builtin::parse("cornell").unwrap()).pose(0.0).unwrap();
+//! let setup = Setup::for_scene(&scene, 64, 64);
+//! let mut session = Session::new(&scene, setup, BackendKind::Cpu).unwrap();
+//! let truth = session.render(&"ray".parse::<Technique>().unwrap()).unwrap();
+//! let hybrid = session.render(&"ltt-evsm".parse::<Technique>().unwrap()).unwrap();
+//! assert!(hybrid.rays < truth.rays);
+//! ```
+
+mod backend;
+mod compare;
+pub mod cpu;
+mod error;
+mod frame;
+#[cfg(feature = "gpu")]
+pub mod gpu;
+mod light_fit;
+pub mod metrics;
+mod packed;
+mod plan;
+mod session;
+mod setup;
+mod technique;
+
+pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob};
+pub use compare::{Comparison, CompareOptions, PassTime, Row, compare};
+pub use error::RenderError;
+pub use frame::{Frame, Pass, PassKind};
+pub use light_fit::{LightFit, fit_directional};
+pub use lt_shaders::abi::Sample;
+pub use packed::{DrawRange, PackStats, PackedScene, Trees};
+pub use plan::{Effect, EffectPlan};
+pub use session::{SceneInfo, Session};
+pub use setup::Setup;
+pub use technique::{Doubt, Estimate, MapSource, MapTest, Resolve, Technique, TechniqueError};

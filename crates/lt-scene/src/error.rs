@@ -24,6 +24,16 @@ pub enum SceneError {
         /// What is wrong and how to mend it.
         problem: String,
     },
+    /// A file requires a glTF extension that this importer does not know.
+    #[error("{path}: extensionsRequired: {extension} is not supported; {remedy}")]
+    UnsupportedExtension {
+        /// The file.
+        path: PathBuf,
+        /// The extension's name, e.g. `KHR_draco_mesh_compression`.
+        extension: String,
+        /// How to get a file without it.
+        remedy: String,
+    },
     /// A name that is no built-in scene, or a parameter out of range.
     #[error("{0}")]
     UnknownScene(String),

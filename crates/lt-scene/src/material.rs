@@ -11,7 +11,7 @@ pub enum AlphaMode {
     Opaque,
     /// Covers where alpha ≥ `cutoff`.
     Mask {
-        /// Coverage threshold in [0, 1].
+        /// Coverage threshold, at least 0; above 1 nothing covers.
         cutoff: f32,
     },
     /// Blends by alpha. Where a binary answer is needed it covers where alpha ≥ 0.5.

@@ -1,0 +1,22 @@
+//! Construction: triangles and placements to the buffers of the shared kernel.
+
+mod binary;
+mod blas;
+mod bounds;
+mod collapse;
+mod error;
+mod quality;
+mod quantize;
+mod tlas;
+mod validate;
+
+pub(crate) use binary::BinaryTree;
+pub(crate) use blas::triangle_bounds;
+pub use blas::{Bvh, Dropped};
+pub(crate) use bounds::Bounds;
+pub(crate) use collapse::{LeafCost, WIDTH, WideTree};
+pub use error::BuildError;
+pub use quality::BuildQuality;
+pub(crate) use tlas::instance_bounds;
+pub use tlas::{InstancedBvh, Placement};
+pub use validate::Invalid;

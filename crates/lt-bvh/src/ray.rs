@@ -1,0 +1,83 @@
+//! Rays and hits as the traversals take and return them.
+
+use bytemuck::{Pod, Zeroable};
+use lt_math::glam::Vec3;
+
+/// Index that names no triangle and no instance.
+pub const NONE: u32 = u32::MAX;
+
+/// Largest finite stand-in for infinity that every shader compiler takes; the `tmax` of an unbounded ray.
+pub const FAR: f32 = 3.0e38;
+
+/// Largest magnitude of a coordinate of a vertex, a ray origin or a direction; beyond it nothing is hit.
+pub const COORDINATE_LIMIT: f32 = 1.0e15;
+
+/// A ray `origin + t · direction` for `tmin < t < tmax`; both ends are exclusive.
+///
+/// `direction` need not have unit length; t counts in its lengths, so a ray to a point light may use the whole
+/// difference as direction and `tmax` = 1. A NaN or a magnitude above [`COORDINATE_LIMIT`] anywhere, or a zero
+/// direction, hits nothing.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Ray {
+    /// Start of the ray.
+    pub origin: Vec3,
+    /// Hits at or before this t do not count.
+    pub tmin: f32,
+    /// Direction; its largest component should lie between 1e-12 and 1e12 in magnitude.
+    pub direction: Vec3,
+    /// Hits at or beyond this t do not count.
+    pub tmax: f32,
+}
+
+impl Ray {
+    /// The ray from `origin` along `direction` without an end: 0 < t < [`FAR`].
+    pub fn new(origin: Vec3, direction: Vec3) -> Self {
+        Ray { origin, tmin: 0.0, direction, tmax: FAR }
+    }
+
+    /// Whether every number is usable; see [`Ray`].
+    #[inline(always)]
+    pub fn is_valid(&self) -> bool {
+        let (o, d) = (self.origin.abs(), self.direction.abs());
+        let bounded = o.x < COORDINATE_LIMIT
+            && o.y < COORDINATE_LIMIT
+            && o.z < COORDINATE_LIMIT
+            && d.x < COORDINATE_LIMIT
+            && d.y < COORDINATE_LIMIT
+            && d.z < COORDINATE_LIMIT;
+        bounded && (d.x > 0.0 || d.y > 0.0 || d.z > 0.0)
+    }
+}
+
+/// The nearest hit of a ray, or a miss.
+///
+/// Of several hits at the same t the one with the lowest triangle index wins, then the lowest instance.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Hit {
+    /// Ray parameter of the hit, in lengths of the ray's direction; the ray's `tmax` on a miss.
+    pub t: f32,
+    /// Barycentric weight of `v1`, in [0, 1].
+    pub u: f32,
+    /// Barycentric weight of `v2`, in [0, 1].
+    pub v: f32,
+    /// Index into the triangle buffer, [`NONE`] on a miss.
+    pub triangle: u32,
+    /// Index into the instance buffer, [`NONE`] on a miss and in a tree without instances.
+    pub instance: u32,
+}
+
+impl Hit {
+    /// No hit before `tmax`.
+    #[inline(always)]
+    pub fn miss(tmax: f32) -> Self {
+        Hit { t: tmax, u: 0.0, v: 0.0, triangle: NONE, instance: NONE }
+    }
+
+    /// Whether something was hit.
+    #[inline(always)]
+    pub fn is_hit(&self) -> bool {
+        self.triangle != NONE
+    }
+}

@@ -1,0 +1,200 @@
+//! The SIMD tracer: the widest instructions the processor has, chosen at run time.
+
+mod lanes;
+mod traverse;
+mod tree;
+
+use crate::any_hit::AnyHit;
+use crate::build::{Bvh, InstancedBvh, instance_bounds};
+use crate::ray::{Hit, Ray};
+use crate::tracer::Tracer;
+use lanes::{Lanes, Portable};
+use std::vec::Vec;
+pub(crate) use traverse::Part;
+use traverse::{Instanced, Scratch};
+pub(crate) use tree::SimdTree;
+
+/// Instruction sets that the SIMD tracer knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SimdLevel {
+    /// What every processor of the target has.
+    Portable,
+    /// AVX2 and FMA.
+    Avx2,
+    /// AVX-512F and AVX-512VL.
+    Avx512,
+}
+
+#[derive(Clone, Copy)]
+enum Chosen {
+    Portable(Portable),
+    #[cfg(target_arch = "x86_64")]
+    Avx2(lanes::x86::Avx2),
+    #[cfg(target_arch = "x86_64")]
+    Avx512(lanes::x86::Avx512),
+}
+
+impl SimdLevel {
+    /// Every level that this processor runs, the slowest first; never empty.
+    pub fn available() -> Vec<SimdLevel> {
+        let all = [SimdLevel::Portable, SimdLevel::Avx2, SimdLevel::Avx512];
+        all.into_iter().filter(|level| level.choose().is_some()).collect()
+    }
+
+    fn choose(self) -> Option<Chosen> {
+        match self {
+            SimdLevel::Portable => Some(Chosen::Portable(Portable)),
+            #[cfg(target_arch = "x86_64")]
+            SimdLevel::Avx2 => lanes::x86::Avx2::detect().map(Chosen::Avx2),
+            #[cfg(target_arch = "x86_64")]
+            SimdLevel::Avx512 => lanes::x86::Avx512::detect().map(Chosen::Avx512),
+            #[cfg(not(target_arch = "x86_64"))]
+            SimdLevel::Avx2 | SimdLevel::Avx512 => None,
+        }
+    }
+}
+
+/// What is traced.
+enum Scene<'a> {
+    World(Part<'a>),
+    Instanced { scene: &'a InstancedBvh, tlas: SimdTree, parts: Vec<Part<'a>> },
+}
+
+/// Traces batches on wide trees of its own, with the shared kernel's hits bit for bit.
+///
+/// The wide tree of a mesh is made when it is first asked for and kept with the mesh, so a tracer per frame
+/// costs only the tree over its instances.
+pub struct Simd<'a> {
+    scene: Scene<'a>,
+    chosen: Chosen,
+    level: SimdLevel,
+}
+
+impl<'a> Simd<'a> {
+    /// For the triangles of one tree in world space.
+    pub fn new(bvh: &'a Bvh) -> Self {
+        Self::over(Scene::World(bvh.simd_part()))
+    }
+
+    /// For placed meshes.
+    pub fn instanced(scene: &'a InstancedBvh) -> Self {
+        let boxes: Vec<_> = scene.instances().iter().map(instance_bounds).collect();
+        let root = &scene.nodes()[scene.tlas_root() as usize];
+        let tlas = SimdTree::of_instances(scene.binary(), &boxes, root);
+        Self::over(Scene::Instanced { scene, tlas, parts: scene.simd_parts() })
+    }
+
+    fn over(scene: Scene<'a>) -> Self {
+        let mut simd = Simd { scene, chosen: Chosen::Portable(Portable), level: SimdLevel::Portable };
+        for level in SimdLevel::available() {
+            if let Some(chosen) = level.choose() {
+                (simd.chosen, simd.level) = (chosen, level);
+            }
+        }
+        simd
+    }
+
+    /// The same tracer on other instructions, to compare or to test; `None` where the processor lacks them.
+    pub fn with_level(self, level: SimdLevel) -> Option<Self> {
+        let chosen = level.choose()?;
+        Some(Simd { chosen, level, ..self })
+    }
+
+    /// The instructions in use: the widest that the processor has, unless told otherwise.
+    pub fn level(&self) -> SimdLevel {
+        self.level
+    }
+}
+
+/// A batch of rays and what is asked of it.
+trait Batch {
+    fn run<L: Lanes>(self, lanes: L, scene: &Scene);
+}
+
+struct Occluded<'b, A> {
+    rays: &'b [Ray],
+    any_hit: A,
+    out: &'b mut [bool],
+}
+
+impl<A: AnyHit> Batch for Occluded<'_, A> {
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L, scene: &Scene) {
+        let mut scratch = Scratch::new();
+        match scene {
+            Scene::World(part) => {
+                for (ray, out) in self.rays.iter().zip(self.out) {
+                    *out = traverse::occluded(lanes, *part, *ray, self.any_hit, &mut scratch);
+                }
+            }
+            Scene::Instanced { scene, tlas, parts } => {
+                let view = Instanced { tlas, instances: scene.instances(), parts };
+                for (ray, out) in self.rays.iter().zip(self.out) {
+                    *out = traverse::occluded_instanced(lanes, view, *ray, self.any_hit, &mut scratch);
+                }
+            }
+        }
+    }
+}
+
+struct Closest<'b, A> {
+    rays: &'b [Ray],
+    any_hit: A,
+    out: &'b mut [Hit],
+}
+
+impl<A: AnyHit> Batch for Closest<'_, A> {
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L, scene: &Scene) {
+        let mut scratch = Scratch::new();
+        match scene {
+            Scene::World(part) => {
+                for (ray, out) in self.rays.iter().zip(self.out) {
+                    *out = traverse::closest(lanes, *part, *ray, self.any_hit, &mut scratch);
+                }
+            }
+            Scene::Instanced { scene, tlas, parts } => {
+                let view = Instanced { tlas, instances: scene.instances(), parts };
+                for (ray, out) in self.rays.iter().zip(self.out) {
+                    *out = traverse::closest_instanced(lanes, view, *ray, self.any_hit, &mut scratch);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn run_avx2<B: Batch>(lanes: lanes::x86::Avx2, batch: B, scene: &Scene) {
+    batch.run(lanes, scene);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512vl,avx2,fma")]
+fn run_avx512<B: Batch>(lanes: lanes::x86::Avx512, batch: B, scene: &Scene) {
+    batch.run(lanes, scene);
+}
+
+impl Simd<'_> {
+    fn run<B: Batch>(&self, batch: B) {
+        match self.chosen {
+            Chosen::Portable(lanes) => batch.run(lanes, &self.scene),
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: the token proves that the processor has the features enabled there.
+            Chosen::Avx2(lanes) => unsafe { run_avx2(lanes, batch, &self.scene) },
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: the token proves that the processor has the features enabled there.
+            Chosen::Avx512(lanes) => unsafe { run_avx512(lanes, batch, &self.scene) },
+        }
+    }
+}
+
+impl Tracer for Simd<'_> {
+    fn occluded_batch<A: AnyHit>(&self, rays: &[Ray], any_hit: A, out: &mut [bool]) {
+        self.run(Occluded { rays, any_hit, out });
+    }
+
+    fn closest_batch<A: AnyHit>(&self, rays: &[Ray], any_hit: A, out: &mut [Hit]) {
+        self.run(Closest { rays, any_hit, out });
+    }
+}

@@ -1,0 +1,204 @@
+//! The command line's grammar.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, value_parser};
+use lt_render::{MapSource, Technique};
+
+use crate::{
+    scene_args::SceneArgs,
+    values::{self, TypedTechnique},
+};
+
+/// Shadows as right as ray tracing for a fraction of its time: compares techniques and shows where they err
+#[derive(Parser, Debug)]
+#[command(name = "lt", version, about, arg_required_else_help = true)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// Subcommands.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Run techniques side by side: a table, report.html, results.json and images
+    Compare(CompareArgs),
+    /// Draw one shaded picture by one technique
+    Render(RenderArgs),
+    /// Print which effects a scene and a technique call for, and why
+    Plan(PlanArgs),
+    /// List the built-in scenes
+    Scenes,
+    /// Print what this machine offers: threads, CPU features, GPU adapters, shader modules
+    Doctor,
+}
+
+/// `lt compare`.
+#[derive(Args, Debug)]
+pub struct CompareArgs {
+    /// Scene, view, light and machine.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Technique ids, separated by commas [default: ray, every map, every leak tracing hybrid]
+    #[arg(long, value_name = "ID,…", value_delimiter = ',', value_parser = values::technique, help_heading = "Techniques")]
+    pub techniques: Vec<TypedTechnique>,
+    /// Every technique, the pre-filtered variants too
+    #[arg(long, conflicts_with_all = ["techniques", "all_hybrids"], help_heading = "Techniques")]
+    pub all: bool,
+    /// Full ray tracing and every leak tracing hybrid, the pre-filtered variants too
+    #[arg(long, conflicts_with = "techniques", help_heading = "Techniques")]
+    pub all_hybrids: bool,
+    /// Print every technique id with a line about it, and stop
+    #[arg(long, help_heading = "Techniques")]
+    pub list: bool,
+    /// Timed repeats of every technique, after one to warm up
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = value_parser!(u16).range(1..=1000))]
+    pub repeats: u16,
+    /// Folder to write into, created if need be
+    #[arg(long, value_name = "DIR", default_value = "lt-out")]
+    pub out: PathBuf,
+    /// Leave out the perceptual metric FLIP, which takes a second or so per picture
+    #[arg(long)]
+    pub no_flip: bool,
+}
+
+impl CompareArgs {
+    /// The techniques to run, each once, in the order asked for.
+    pub fn techniques(&self) -> Vec<Technique> {
+        let typed = match (self.all, self.all_hybrids, self.techniques.is_empty()) {
+            (true, ..) => everything().map(TypedTechnique::from).collect(),
+            (_, true, _) => everything().filter(is_ray_or_hybrid).map(TypedTechnique::from).collect(),
+            (.., true) => catalogue().map(TypedTechnique::from).collect(),
+            (.., false) => self.techniques.clone(),
+        };
+        let mut unique = Vec::new();
+        for technique in typed.into_iter().map(|t| t.with_epsilon(self.scene.epsilon)) {
+            if !unique.contains(&technique) {
+                unique.push(technique);
+            }
+        }
+        unique
+    }
+}
+
+fn catalogue() -> impl Iterator<Item = Technique> {
+    Technique::catalogue().into_iter().map(|(technique, _)| technique)
+}
+
+fn everything() -> impl Iterator<Item = Technique> {
+    catalogue().chain(catalogue().filter_map(|t| prefiltered(&t)))
+}
+
+fn prefiltered(technique: &Technique) -> Option<Technique> {
+    let (test, _) = technique.map_test().filter(|(test, _)| test.is_filterable())?;
+    let estimate = lt_render::Estimate::Map { test, source: MapSource::Prefiltered };
+    Some(Technique { estimate, ..*technique })
+}
+
+fn is_ray_or_hybrid(technique: &Technique) -> bool {
+    technique.resolve == lt_render::Resolve::Ray
+}
+
+/// `lt render`.
+#[derive(Args, Debug)]
+pub struct RenderArgs {
+    /// Scene, view, light and machine.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Technique id (see `lt compare --list`)
+    #[arg(long, value_name = "ID", default_value = "ltt-evsm", value_parser = values::technique, help_heading = "Techniques")]
+    pub technique: TypedTechnique,
+    /// Picture to write, a .png
+    #[arg(long, value_name = "FILE", default_value = "shadow.png", value_parser = png_path)]
+    pub out: PathBuf,
+    /// Also write frame.exr (positions, normals, visibility, reference, doubt) and camera.json into this folder
+    #[arg(long, value_name = "DIR")]
+    pub dump: Option<PathBuf>,
+}
+
+fn png_path(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let is_png = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
+    if is_png { Ok(path) } else { Err("pictures are PNG files: end the name in .png".into()) }
+}
+
+/// `lt plan`.
+#[derive(Args, Debug)]
+pub struct PlanArgs {
+    /// Scene, view, light and machine.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Technique id (see `lt compare --list`)
+    #[arg(long, value_name = "ID", default_value = "ltt-evsm", value_parser = values::technique, help_heading = "Techniques")]
+    pub technique: TypedTechnique,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    fn compare(words: &[&str]) -> CompareArgs {
+        match Cli::try_parse_from(["lt", "compare"].iter().chain(words)).unwrap().command {
+            Command::Compare(args) => args,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn ids(words: &[&str]) -> Vec<String> {
+        compare(words).techniques().iter().map(Technique::to_string).collect()
+    }
+
+    #[test]
+    fn the_grammar_is_sound() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn the_default_techniques_are_the_gathering_ones() {
+        let expected =
+            "ray sm pcf vsm esm evsm msm msm-hausdorff ltt-vsm ltt-esm ltt-evsm ltt-msm ltt-msm-hausdorff";
+        assert_eq!(ids(&[]), expected.split(' ').collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn all_adds_the_prefiltered_ones() {
+        let all = ids(&["--all"]);
+        assert_eq!(all.len(), 23);
+        assert!(all.contains(&"vsm:prefiltered".into()) && all.contains(&"ltt-msm:prefiltered".into()));
+        assert!(!all.contains(&"sm:prefiltered".into()));
+        let hybrids = ids(&["--all-hybrids"]);
+        assert_eq!(hybrids.len(), 11);
+        assert!(hybrids.iter().all(|id| id == "ray" || id.starts_with("ltt-")));
+    }
+
+    #[test]
+    fn each_technique_runs_once() {
+        assert_eq!(ids(&["--techniques", "sm,ray,sm"]), ["sm", "ray"]);
+    }
+
+    #[test]
+    fn epsilon_reaches_the_hybrids() {
+        assert_eq!(
+            ids(&["--epsilon", "0.05", "--techniques", "vsm,ltt-vsm,ltt-vsm:eps=0.2"]),
+            ["vsm", "ltt-vsm:eps=0.05", "ltt-vsm:eps=0.2"]
+        );
+    }
+
+    #[test]
+    fn bad_usage_is_refused() {
+        for words in [
+            &["compare", "--techniques", "foo"][..],
+            &["compare", "--techniques", ""],
+            &["compare", "--all", "--all-hybrids"],
+            &["compare", "--repeats", "0"],
+            &["render", "street", "--out", "shadow.jpg"],
+            &["frobnicate"],
+            &[],
+        ] {
+            assert!(Cli::try_parse_from(["lt"].iter().chain(words)).is_err(), "{words:?}");
+        }
+    }
+}

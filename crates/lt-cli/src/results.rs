@@ -1,0 +1,175 @@
+//! `results.json`, schema 1: fields may be added, never renamed.
+
+use lt_render::{Comparison, Doubt, PassTime, Row};
+use serde::Serialize;
+
+use crate::{pareto, summary::Summary};
+
+/// The whole file.
+#[derive(Debug, Serialize)]
+pub struct Results<'a> {
+    schema: u32,
+    #[serde(flatten)]
+    summary: &'a Summary,
+    frames: u32,
+    repeats: u16,
+    valid_pixels: u64,
+    peak_memory_mb: Option<f64>,
+    rows: Vec<ResultRow>,
+}
+
+/// One technique.
+#[derive(Debug, Serialize)]
+struct ResultRow {
+    technique: String,
+    rays_per_pixel: f64,
+    false_lit_ppm: f64,
+    false_shadowed_ppm: f64,
+    largest_cluster_px: u32,
+    flips_per_frame: u64,
+    flip_mean: Option<f64>,
+    ms: Times,
+    speedup_over_ray: Option<f64>,
+    map_bytes: u64,
+    epsilon: Option<f32>,
+    map_size: Option<u32>,
+    rays: u64,
+    false_lit_px: u64,
+    false_shadowed_px: u64,
+    is_on_frontier: bool,
+    passes: Vec<PassRow>,
+}
+
+/// Medians in milliseconds; a time that was not measured is null.
+#[derive(Debug, Serialize)]
+struct Times {
+    map: Option<f64>,
+    shadow: Option<f64>,
+    total: Option<f64>,
+}
+
+/// One pass over the repeats.
+#[derive(Debug, Serialize)]
+struct PassRow {
+    name: &'static str,
+    median_ms: Option<f64>,
+    p95_ms: Option<f64>,
+}
+
+impl<'a> Results<'a> {
+    /// Puts a run into the schema. `flips[i]` counts the pixels that differ between two frames of `rows[i]` with
+    /// nothing moving.
+    pub fn new(summary: &'a Summary, comparison: &Comparison, flips: &[u64], repeats: u16) -> Self {
+        let frontier = frontier_of(comparison);
+        let rows = comparison.rows.iter().zip(flips).zip(frontier);
+        Self {
+            schema: 1,
+            summary,
+            frames: 1,
+            repeats,
+            valid_pixels: comparison.valid_pixels,
+            peak_memory_mb: peak_memory_mb(),
+            rows: rows.map(|((row, &flips), is_best)| result_row(row, summary, flips, is_best)).collect(),
+        }
+    }
+}
+
+/// Which rows no other row beats in both total time and wrong pixels.
+pub fn frontier_of(comparison: &Comparison) -> Vec<bool> {
+    let points: Vec<_> = comparison.rows.iter().map(|r| (r.total_ms, r.errors.wrong_ppm())).collect();
+    pareto::frontier(&points)
+}
+
+fn result_row(row: &Row, summary: &Summary, flips: u64, is_on_frontier: bool) -> ResultRow {
+    let technique = row.technique;
+    ResultRow {
+        technique: technique.to_string(),
+        rays_per_pixel: row.rays_per_pixel,
+        false_lit_ppm: row.errors.false_lit_ppm(),
+        false_shadowed_ppm: row.errors.false_shadowed_ppm(),
+        largest_cluster_px: row.errors.largest_cluster_px,
+        flips_per_frame: flips,
+        flip_mean: row.flip_mean,
+        ms: Times { map: row.map_ms, shadow: row.shadow_ms, total: row.total_ms },
+        speedup_over_ray: row.speedup_over_ray,
+        map_bytes: row.map_bytes,
+        epsilon: (technique.doubt == Doubt::Ltt).then_some(technique.epsilon),
+        map_size: technique.map_test().map(|_| technique.map_size.unwrap_or(summary.map_size)),
+        rays: row.frame.rays,
+        false_lit_px: row.errors.false_lit,
+        false_shadowed_px: row.errors.false_shadowed,
+        is_on_frontier,
+        passes: row.passes.iter().map(pass_row).collect(),
+    }
+}
+
+fn pass_row(pass: &PassTime) -> PassRow {
+    PassRow { name: pass.kind.name(), median_ms: pass.median_ms, p95_ms: pass.p95_ms }
+}
+
+/// The process's largest resident size so far in MiB, where the system tells (Linux: VmHWM).
+fn peak_memory_mb() -> Option<f64> {
+    parse_peak(&std::fs::read_to_string("/proc/self/status").ok()?)
+}
+
+fn parse_peak(status: &str) -> Option<f64> {
+    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
+    let kib: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kib / 1024.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixture;
+
+    #[test]
+    fn the_schema_holds() {
+        let (summary, comparison) = (fixture::summary(), fixture::comparison());
+        let json = serde_json::to_value(Results::new(&summary, &comparison, &[0, 2], 5)).unwrap();
+        for (key, expected) in [("schema", 1), ("triangles", 12), ("threads", 2), ("frames", 1)] {
+            assert_eq!(json[key], expected, "{key}");
+        }
+        assert_eq!(json["size"], serde_json::json!([4, 2]));
+        assert!(json["scene"].is_string() && json["backend"].is_string() && json["device"].is_string());
+        let row = &json["rows"][1];
+        assert_eq!(row["technique"], "sm");
+        for key in [
+            "rays_per_pixel",
+            "false_lit_ppm",
+            "false_shadowed_ppm",
+            "largest_cluster_px",
+            "flips_per_frame",
+            "flip_mean",
+            "speedup_over_ray",
+            "map_bytes",
+        ] {
+            assert!(row[key].is_number(), "{key}: {row}");
+        }
+        assert_eq!(row["flips_per_frame"], 2);
+        assert!(
+            row["ms"]["map"].is_number() && row["ms"]["shadow"].is_number() && row["ms"]["total"].is_number()
+        );
+    }
+
+    #[test]
+    fn a_missing_time_is_null() {
+        let mut comparison = fixture::comparison();
+        comparison.rows[1].total_ms = None;
+        comparison.rows[1].speedup_over_ray = None;
+        comparison.rows[1].flip_mean = Some(f64::NAN);
+        let summary = fixture::summary();
+        let json = serde_json::to_value(Results::new(&summary, &comparison, &[0, 0], 1)).unwrap();
+        let row = &json["rows"][1];
+        assert!(
+            row["ms"]["total"].is_null() && row["speedup_over_ray"].is_null() && row["flip_mean"].is_null()
+        );
+        assert_eq!(row["is_on_frontier"], false);
+    }
+
+    #[test]
+    fn peak_memory_is_read_in_mebibytes() {
+        assert_eq!(parse_peak("Name:\tlt\nVmHWM:\t  2048 kB\n"), Some(2.0));
+        assert_eq!(parse_peak("Name:\tlt\n"), None);
+    }
+}

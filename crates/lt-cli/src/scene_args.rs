@@ -1,0 +1,214 @@
+//! The options every subcommand shares: which scene, seen from where, under which light, run on what.
+
+use anyhow::Context;
+use clap::{Args, value_parser};
+use lt_math::glam::{UVec2, Vec3};
+use lt_render::{BackendKind, RenderError, Session, Setup};
+use lt_scene::{Camera, Light, Scene, Source};
+
+use crate::{
+    failure::Usage,
+    numbers::grouped,
+    progress::spinner,
+    values::{self, Ground},
+};
+
+/// Options shared by `compare`, `render` and `plan`.
+#[derive(Args, Clone, Debug)]
+pub struct SceneArgs {
+    /// Built-in scene (see `lt scenes`) or path of a .gltf or .glb file
+    #[arg(default_value = "street")]
+    pub scene: String,
+    /// Picture size in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = values::size, help_heading = "View and light")]
+    pub size: UVec2,
+    /// Where to run: auto takes a GPU unless it is a software one, else the CPU
+    #[arg(long, value_name = "cpu|gpu|auto", default_value = "auto", help_heading = "Machine")]
+    pub backend: BackendKind,
+    /// Index of the scene's camera to look through
+    #[arg(long, value_name = "N", help_heading = "View and light")]
+    pub camera: Option<usize>,
+    /// Camera position
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::point, help_heading = "View and light")]
+    pub eye: Option<Vec3>,
+    /// Point the camera looks at
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::point, help_heading = "View and light")]
+    pub target: Option<Vec3>,
+    /// Vertical field of view in degrees
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = values::degrees, help_heading = "View and light")]
+    pub fov: Option<f32>,
+    /// Index of the scene's light to draw shadows for
+    #[arg(long, value_name = "N", conflicts_with = "light_dir", help_heading = "View and light")]
+    pub light: Option<usize>,
+    /// Direction in which the light travels
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::direction, help_heading = "View and light")]
+    pub light_dir: Option<Vec3>,
+    /// Add a ground square at this height, half its side optional
+    #[arg(long, value_name = "y[,half]", allow_hyphen_values = true, value_parser = values::ground, help_heading = "Scene")]
+    pub ground: Option<Ground>,
+    /// Moment at which the scene is posed, in seconds
+    #[arg(long, value_name = "SECONDS", default_value = "0", allow_hyphen_values = true, value_parser = values::finite, help_heading = "Scene")]
+    pub time: f32,
+    /// Seed of a built-in scene
+    #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Scene")]
+    pub seed: u64,
+    /// Shadow map resolution, a multiple of 64 [default: 2048]
+    #[arg(long, value_name = "N", help_heading = "Techniques")]
+    pub map_size: Option<u32>,
+    /// ε of the leak tracing techniques whose id does not set it [default: 0.01]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = values::epsilon, help_heading = "Techniques")]
+    pub epsilon: Option<f32>,
+    /// CPU threads [default: all]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024), help_heading = "Machine")]
+    pub threads: Option<u16>,
+}
+
+/// A scene ready to be drawn.
+pub struct Opened {
+    /// Holds BVH and visible samples.
+    pub session: Session,
+    /// The scene's name.
+    pub name: String,
+}
+
+impl SceneArgs {
+    /// Starts the threads, loads the scene, applies the options, builds the BVH and finds the visible samples.
+    ///
+    /// # Errors
+    /// What names no scene, cannot be read, or cannot be drawn; [`Usage`] for an option that does not fit the scene.
+    pub fn open(&self) -> anyhow::Result<Opened> {
+        if let Some(threads) = self.threads {
+            rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global().with_context(
+                || format!("--threads {threads}: the threads could not be started; ask for fewer"),
+            )?;
+        }
+        let work = spinner(&format!("loading {}", self.scene));
+        let mut scene = Source::open(&self.scene, self.seed)?.pose(self.time)?;
+        if let Some(repairs) = scene.repairs.summary() {
+            work.suspend(|| eprintln!("note: {}: {repairs}", self.scene));
+        }
+        if let Some(ground) = self.ground {
+            scene.add_ground(ground.y, ground.half_size.unwrap_or_else(|| fitting_half_size(&scene)));
+        }
+        let setup = self.setup(&scene)?;
+        work.set_message(format!("building the BVH of {} triangles", grouped(scene.triangle_count() as u64)));
+        let session = Session::new(&scene, setup, self.backend).map_err(|e| self.explain(e))?;
+        work.finish_and_clear();
+        Ok(Opened { session, name: scene.name })
+    }
+
+    fn explain(&self, error: RenderError) -> anyhow::Error {
+        anyhow::Error::from(error).context(format!("scene {}", self.scene))
+    }
+
+    fn setup(&self, scene: &Scene) -> Result<Setup, Usage> {
+        let mut setup = Setup::for_scene(scene, self.size.x, self.size.y);
+        if let Some(index) = self.camera {
+            setup.camera = pick("--camera", index, &scene.cameras)?;
+        }
+        if let Some(index) = self.light {
+            setup.light = pick("--light", index, &scene.lights)?;
+        }
+        if let Some(direction) = self.light_dir {
+            setup.light = Light::sun(direction);
+        }
+        self.aim(&mut setup.camera)?;
+        setup.map_size = self.map_size.unwrap_or(setup.map_size);
+        Ok(setup)
+    }
+
+    fn aim(&self, camera: &mut Camera) -> Result<(), Usage> {
+        camera.eye = self.eye.unwrap_or(camera.eye);
+        camera.target = self.target.unwrap_or(camera.target);
+        camera.fov_y_rad = self.fov.map_or(camera.fov_y_rad, f32::to_radians);
+        if camera.eye == camera.target {
+            return Err(Usage(format!("--eye and --target are both {}; move one of them", camera.eye)));
+        }
+        Ok(())
+    }
+}
+
+fn pick<T: Clone>(option: &str, index: usize, from: &[T]) -> Result<T, Usage> {
+    from.get(index).cloned().ok_or_else(|| {
+        Usage(match from.len() {
+            0 => format!("{option} {index}: the scene has none; leave the option out"),
+            1 => format!("{option} {index}: the scene has only number 0"),
+            n => format!("{option} {index}: the scene has numbers 0 to {}", n - 1),
+        })
+    })
+}
+
+/// Twice the scene's largest extent: shadows of a low sun still fall on it.
+fn fitting_half_size(scene: &Scene) -> f32 {
+    let bounds = scene.bounds();
+    match bounds.is_empty() {
+        true => 10.0,
+        false => (bounds.max - bounds.min).max_element().max(1e-3) * 2.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        args: SceneArgs,
+    }
+
+    fn parse(words: &[&str]) -> Result<SceneArgs, clap::Error> {
+        Line::try_parse_from(["lt"].iter().chain(words)).map(|l| l.args)
+    }
+
+    #[test]
+    fn the_default_is_the_street_in_720p() {
+        let args = parse(&[]).unwrap();
+        assert_eq!((args.scene.as_str(), args.size), ("street", UVec2::new(1280, 720)));
+    }
+
+    #[test]
+    fn values_may_begin_with_a_minus() {
+        let args = parse(&["--eye", "-1,2,3", "--light-dir", "-1,-2,0", "--ground", "-3,4", "--time", "-1"])
+            .unwrap();
+        assert_eq!(args.eye, Some(Vec3::new(-1.0, 2.0, 3.0)));
+        assert_eq!(args.light_dir, Some(Vec3::new(-0.5, -1.0, 0.0)));
+        assert_eq!(args.ground, Some(Ground { y: -3.0, half_size: Some(4.0) }));
+        assert_eq!(args.time, -1.0);
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        for words in [
+            ["--size", "12"],
+            ["--eye", "1,2,nan"],
+            ["--fov", "180"],
+            ["--threads", "0"],
+            ["--backend", "tpu"],
+            ["--epsilon", "0.5"],
+            ["--time", "inf"],
+            ["--light-dir", "0,0,0"],
+        ] {
+            assert!(parse(&words).is_err(), "{words:?}");
+        }
+        assert!(parse(&["--light", "0", "--light-dir", "0,-1,0"]).is_err());
+    }
+
+    #[test]
+    fn an_index_past_the_end_names_the_range() {
+        assert_eq!(pick("--camera", 2, &[7, 8]).unwrap_err().0, "--camera 2: the scene has numbers 0 to 1");
+        assert_eq!(
+            pick::<u8>("--light", 0, &[]).unwrap_err().0,
+            "--light 0: the scene has none; leave the option out"
+        );
+        assert_eq!(pick("--camera", 1, &[7, 8]).unwrap(), 8);
+    }
+
+    #[test]
+    fn a_camera_cannot_look_at_itself() {
+        let args = parse(&["--eye", "0,5,0", "--target", "0,5,0"]).unwrap();
+        assert!(args.setup(&Scene::default()).is_err());
+    }
+}

@@ -1,0 +1,120 @@
+//! What was run, on what: the facts that head the table, the results file and the report.
+
+use lt_render::Session;
+use lt_scene::LightKind;
+use serde::Serialize;
+
+use crate::{
+    command_line,
+    numbers::{grouped, ms},
+};
+
+/// A view, for those who want to see the same.
+#[derive(Clone, Debug, Serialize)]
+pub struct View {
+    /// Camera position, world space.
+    pub eye: [f32; 3],
+    /// The point it looks at.
+    pub target: [f32; 3],
+    /// Which way is up.
+    pub up: [f32; 3],
+    /// Full vertical field of view, degrees.
+    pub fov_deg: f32,
+    /// Direction in which the light travels; none for a light that has no single one.
+    pub light_dir: Option<[f32; 3]>,
+}
+
+/// The facts of a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// Scene name.
+    pub scene: String,
+    /// Triangles over all instances.
+    pub triangles: u64,
+    /// Placed meshes.
+    pub instances: u64,
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// `cpu` or `gpu`.
+    pub backend: &'static str,
+    /// Name of the processor or adapter.
+    pub device: String,
+    /// CPU threads.
+    pub threads: usize,
+    /// Milliseconds to pack the scene and build its BVH.
+    pub bvh_ms: f64,
+    /// Bytes of the BVH.
+    pub bvh_bytes: u64,
+    /// Milliseconds to find the visible samples, once; missing without timestamps.
+    pub camera_ms: Option<f64>,
+    /// Triangles that no ray can hit.
+    pub dropped_triangles: u64,
+    /// Default shadow map resolution.
+    pub map_size: u32,
+    /// Camera and light.
+    pub view: View,
+    /// The command to type again.
+    pub command: String,
+    /// Version of `lt`.
+    pub version: &'static str,
+}
+
+impl Summary {
+    /// Collects the facts.
+    pub fn of(scene: &str, session: &Session) -> Self {
+        let (info, setup) = (session.info(), session.setup());
+        Self {
+            scene: scene.to_owned(),
+            triangles: info.stats.triangles,
+            instances: info.stats.instances,
+            size: setup.size.to_array(),
+            backend: session.backend_name(),
+            device: session.device_name(),
+            threads: rayon::current_num_threads(),
+            bvh_ms: info.build_ms,
+            bvh_bytes: info.stats.bvh_bytes,
+            camera_ms: info.camera_ms,
+            dropped_triangles: info.stats.dropped,
+            map_size: setup.map_size,
+            view: View::of(setup),
+            command: command_line::current(),
+            version: env!("CARGO_PKG_VERSION"),
+        }
+    }
+
+    /// One line about scene, size, device and BVH.
+    pub fn headline(&self) -> String {
+        let plural = if self.threads == 1 { "" } else { "s" };
+        format!(
+            "{} · {} triangles · {}×{} · {} ({}) · {} thread{plural} · BVH {} ms",
+            self.scene,
+            grouped(self.triangles),
+            self.size[0],
+            self.size[1],
+            self.backend,
+            self.device,
+            self.threads,
+            ms(Some(self.bvh_ms)),
+        )
+    }
+}
+
+impl View {
+    /// Camera and light of a setup.
+    pub fn of(setup: &lt_render::Setup) -> Self {
+        let camera = &setup.camera;
+        let light_dir = match setup.light.kind {
+            LightKind::Directional { direction } | LightKind::Spot { direction, .. } => {
+                Some(direction.to_array())
+            }
+            LightKind::Point { .. } => None,
+        };
+        Self {
+            eye: camera.eye.to_array(),
+            target: camera.target.to_array(),
+            up: camera.up.to_array(),
+            fov_deg: camera.fov_y_rad.to_degrees(),
+            light_dir,
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The seam between the frame driver and what runs its passes.
+
+use std::{fmt, str::FromStr};
+
+use lt_math::glam::Vec4;
+use lt_shaders::abi::{CameraParams, DepthParams, FilterParams, Sample, ShadeParams, ShadowParams};
+
+use crate::{EffectPlan, Frame, MapTest, PassKind, RenderError};
+
+/// Which backend to use.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BackendKind {
+    /// The kernels on rayon, rays by SIMD.
+    #[default]
+    Cpu,
+    /// The kernels through wgpu.
+    Gpu,
+    /// The GPU if there is a real one, else the CPU. A software driver is never picked.
+    Auto,
+}
+
+impl FromStr for BackendKind {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "cpu" => Ok(Self::Cpu),
+            "gpu" => Ok(Self::Gpu),
+            "auto" => Ok(Self::Auto),
+            _ => Err(format!("backend `{text}`: must be cpu, gpu or auto")),
+        }
+    }
+}
+
+impl fmt::Display for BackendKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Cpu => "cpu",
+            Self::Gpu => "gpu",
+            Self::Auto => "auto",
+        })
+    }
+}
+
+/// What the depth map and filter passes draw.
+#[derive(Clone, Copy, Debug)]
+pub struct DepthMapJob {
+    /// The raster pass.
+    pub depth: DepthParams,
+    /// The blur passes.
+    pub filter: FilterParams,
+}
+
+/// Everything the passes of one frame need.
+#[derive(Clone, Debug)]
+pub struct FrameJob {
+    /// Variants: which effects are on.
+    pub plan: EffectPlan,
+    /// Light, map and test.
+    pub shadow: ShadowParams,
+    /// The map, if the plan draws one.
+    pub map: Option<DepthMapJob>,
+}
+
+/// Runs passes. The order of passes is the driver's alone.
+pub trait Backend {
+    /// `cpu` or `gpu`.
+    fn name(&self) -> &'static str;
+
+    /// The processor or adapter, for reports.
+    fn device(&self) -> String;
+
+    /// Runs the camera pass and keeps the samples. Returns its time, or `None` without timestamps.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when the device fails.
+    fn camera(&mut self, params: &CameraParams, plan: &EffectPlan) -> Result<Option<f64>, RenderError>;
+
+    /// The samples of the last camera pass, row by row from the top.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when the device fails.
+    fn samples(&mut self) -> Result<Vec<Sample>, RenderError>;
+
+    /// Starts a frame.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when the map does not fit the device.
+    fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError>;
+
+    /// Runs one pass of the frame.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when the device fails.
+    fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError>;
+
+    /// Ends the frame and reads it back.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when the device fails.
+    fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError>;
+
+    /// Shades the samples with this visibility (row by row), sRGB.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when the device fails.
+    fn shade(&mut self, visibility: &[f32], params: &ShadeParams) -> Result<Vec<[u8; 4]>, RenderError>;
+}
+
+/// A test's default parameters in the order its kernel reads them (`lt_shaders::evaluate::TestFromParams`).
+pub(crate) fn test_params(test: MapTest) -> Vec4 {
+    use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
+    match test {
+        MapTest::Sm => Vec4::new(Sm::default().bias, 0.0, 0.0, 0.0),
+        MapTest::Pcf => Vec4::new(Pcf::default().bias, 0.0, 0.0, 0.0),
+        MapTest::Vsm => Vec4::new(Vsm::default().min_variance, 0.0, 0.0, 0.0),
+        MapTest::Esm => Vec4::new(Esm::default().exponent, 0.0, 0.0, 0.0),
+        MapTest::Evsm => {
+            let e = Evsm::default();
+            Vec4::new(e.positive_exponent, e.negative_exponent, e.min_variance, 0.0)
+        }
+        MapTest::Msm => Vec4::new(MsmHamburger::default().moment_bias, 0.0, 0.0, 0.0),
+        MapTest::MsmHausdorff => Vec4::new(MsmHausdorff::default().moment_bias, 0.0, 0.0, 0.0),
+    }
+}

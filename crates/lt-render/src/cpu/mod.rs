@@ -1,0 +1,368 @@
+//! The CPU backend: the kernels of `lt-shaders` called from rayon over tiles, rays in SIMD below lt-bvh's seam.
+//!
+//! The same input gives the same bits for any number of threads: every pixel is computed alone, and the only order
+//! that matters (the depth test's) is a minimum.
+
+mod raster;
+mod tiles;
+
+use std::time::Instant;
+
+use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
+use lt_math::glam::{UVec2, Vec4};
+use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
+use lt_shaders::abi::{CameraParams, FilterParams, Material, Sample, ShadeParams, ShadowParams};
+use lt_shaders::camera::{ColorSource, ColorTextures, NoColorTextures, primary_ray, sample_at_hit};
+use lt_shaders::evaluate::{FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate, settle};
+use lt_shaders::filter::{filter_x, filter_y};
+use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
+use lt_shaders::resolve::shadow_ray;
+use lt_shaders::shade::shade;
+use lt_shaders::surface::Coverage;
+use rayon::prelude::*;
+use tiles::{BLOCK, Tiles};
+
+use crate::packed::Trees;
+use crate::{
+    Backend, EffectPlan, Frame, FrameJob, MapSource, MapTest, PackedScene, Pass, PassKind, RenderError,
+};
+
+/// See the [module](self).
+pub struct CpuBackend {
+    scene: PackedScene,
+    tiles: Tiles,
+    /// In tile order, like the other per-pixel buffers.
+    samples: Vec<Sample>,
+    visibility: Vec<f32>,
+    is_doubted: Vec<bool>,
+    depths: Vec<f32>,
+    rows: Vec<Vec4>,
+    vectors: Vec<Vec4>,
+    rays: u64,
+    passes: Vec<Pass>,
+}
+
+impl CpuBackend {
+    /// Takes the scene and prepares its tracer.
+    pub fn new(scene: PackedScene) -> Self {
+        // The tracer makes its tree on first use: not in the first frame.
+        tracer(&scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
+        Self {
+            scene,
+            tiles: Tiles::new(UVec2::ZERO),
+            samples: Vec::new(),
+            visibility: Vec::new(),
+            is_doubted: Vec::new(),
+            depths: Vec::new(),
+            rows: Vec::new(),
+            vectors: Vec::new(),
+            rays: 0,
+            passes: Vec::new(),
+        }
+    }
+}
+
+fn tracer(scene: &PackedScene) -> Simd<'_> {
+    match scene.trees() {
+        Trees::Flat(bvh) => Simd::new(bvh),
+        Trees::Instanced(bvh) => Simd::instanced(bvh),
+    }
+}
+
+fn coverage(scene: &PackedScene, required_flags: u32) -> Coverage<'_> {
+    Coverage {
+        triangles: scene.triangles(),
+        vertices: scene.vertices(),
+        materials: scene.materials(),
+        alpha_texels: scene.alpha_texels(),
+        required_flags,
+    }
+}
+
+impl Backend for CpuBackend {
+    fn name(&self) -> &'static str {
+        "cpu"
+    }
+
+    fn device(&self) -> String {
+        format!("{} ({:?})", cpu_model(), tracer(&self.scene).level())
+    }
+
+    fn camera(&mut self, params: &CameraParams, plan: &EffectPlan) -> Result<Option<f64>, RenderError> {
+        self.tiles = Tiles::new(params.size);
+        let len = self.tiles.len();
+        self.samples = vec![Sample::default(); len];
+        self.visibility = vec![0.0; len];
+        self.is_doubted = vec![false; len];
+        let start = Instant::now();
+        let covers = coverage(&self.scene, 0);
+        match (plan.alpha_test, plan.color_textures) {
+            (false, false) => see(&self.scene, self.tiles, params, Opaque, NoColorTextures, &mut self.samples),
+            (true, false) => see(&self.scene, self.tiles, params, covers, NoColorTextures, &mut self.samples),
+            (false, true) => see(&self.scene, self.tiles, params, Opaque, colors(&self.scene), &mut self.samples),
+            (true, true) => see(&self.scene, self.tiles, params, covers, colors(&self.scene), &mut self.samples),
+        }
+        Ok(Some(milliseconds(start)))
+    }
+
+    fn samples(&mut self) -> Result<Vec<Sample>, RenderError> {
+        Ok(self.tiles.to_rows(&self.samples))
+    }
+
+    fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError> {
+        let map_texels = job.map.map_or(0, |m| (m.depth.map_size as usize).pow(2));
+        let vector_texels = if job.plan.is_prefiltered() { map_texels } else { 0 };
+        self.depths.resize(map_texels, 1.0);
+        self.rows.resize(vector_texels, Vec4::ZERO);
+        self.vectors.resize(vector_texels, Vec4::ZERO);
+        self.is_doubted.fill(false);
+        self.rays = 0;
+        self.passes.clear();
+        Ok(())
+    }
+
+    fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
+        let start = Instant::now();
+        match (kind, job.map, job.plan.map) {
+            (PassKind::DepthMap, Some(map), _) => raster::draw_depths(&self.scene, &map.depth, &mut self.depths),
+            (PassKind::FilterX, Some(map), Some((test, _))) => blur_rows(test, &map.filter, &self.depths, &mut self.rows),
+            (PassKind::FilterY, Some(map), _) => blur_columns(&map.filter, &self.rows, &mut self.vectors),
+            (PassKind::Evaluate, _, Some((test, source))) => self.estimate(test, source, job),
+            (PassKind::Resolve, ..) => self.rays = self.resolve(job),
+            _ => {}
+        }
+        self.passes.push(Pass { kind, ms: Some(milliseconds(start)) });
+        Ok(())
+    }
+
+    fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError> {
+        let bytes = size_of_val(&self.depths[..]) + size_of_val(&self.rows[..]) + size_of_val(&self.vectors[..]);
+        let mut doubt = self.tiles.to_rows(&self.is_doubted);
+        if job.plan.trace_all {
+            let lit_side = |s: &Sample| !settle(s, job.shadow.light).1;
+            let traced: Vec<bool> = self.samples.iter().map(lit_side).collect();
+            doubt = self.tiles.to_rows(&traced);
+        }
+        Ok(Frame {
+            visibility: self.tiles.to_rows(&self.visibility),
+            doubt,
+            rays: self.rays,
+            passes: std::mem::take(&mut self.passes),
+            map_bytes: bytes as u64,
+        })
+    }
+
+    fn shade(&mut self, visibility: &[f32], params: &ShadeParams) -> Result<Vec<[u8; 4]>, RenderError> {
+        let (size, tiles) = (self.tiles.size(), self.tiles);
+        let mut picture = vec![0u32; tiles.len()];
+        picture.par_chunks_mut(BLOCK).zip(self.samples.par_chunks(BLOCK)).enumerate().for_each(|(block, (out, samples))| {
+            for (i, (word, sample)) in out.iter_mut().zip(samples).enumerate() {
+                if let Some(px) = tiles.pixel(block, i) {
+                    *word = shade(px, sample, visibility[(px.y * size.x + px.x) as usize], params);
+                }
+            }
+        });
+        Ok(tiles.to_rows(&picture).into_iter().map(u32::to_le_bytes).collect())
+    }
+}
+
+impl CpuBackend {
+    fn estimate(&mut self, test: MapTest, source: MapSource, job: &FrameJob) {
+        match test {
+            MapTest::Sm => self.estimate_with::<Sm>(source, job),
+            MapTest::Pcf => self.estimate_with::<Pcf>(source, job),
+            MapTest::Vsm => self.estimate_with::<Vsm>(source, job),
+            MapTest::Esm => self.estimate_with::<Esm>(source, job),
+            MapTest::Evsm => self.estimate_with::<Evsm>(source, job),
+            MapTest::Msm => self.estimate_with::<MsmHamburger>(source, job),
+            MapTest::MsmHausdorff => self.estimate_with::<MsmHausdorff>(source, job),
+        }
+    }
+
+    fn estimate_with<T: TestFromParams>(&mut self, source: MapSource, job: &FrameJob) {
+        let gathered = GatheredDepths { depths: &self.depths };
+        let filtered = FilteredVectors { vectors: &self.vectors };
+        let (samples, lit, doubted) = (&self.samples[..], &mut self.visibility[..], &mut self.is_doubted[..]);
+        match (source, job.plan.doubt_list) {
+            (MapSource::Gather, false) => estimate_tiles::<T, _, false>(&job.shadow, gathered, samples, lit, doubted),
+            (MapSource::Gather, true) => estimate_tiles::<T, _, true>(&job.shadow, gathered, samples, lit, doubted),
+            (MapSource::Prefiltered, false) => {
+                estimate_tiles::<T, _, false>(&job.shadow, filtered, samples, lit, doubted);
+            }
+            (MapSource::Prefiltered, true) => {
+                estimate_tiles::<T, _, true>(&job.shadow, filtered, samples, lit, doubted);
+            }
+        }
+    }
+
+    fn resolve(&mut self, job: &FrameJob) -> u64 {
+        let (scene, light, all) = (&self.scene, job.shadow.light, job.plan.trace_all);
+        let (samples, doubted, lit) = (&self.samples[..], &self.is_doubted[..], &mut self.visibility[..]);
+        match job.plan.alpha_test {
+            true => trace(scene, light, all, coverage(scene, Material::CASTS), samples, doubted, lit),
+            false => trace(scene, light, all, Opaque, samples, doubted, lit),
+        }
+    }
+}
+
+/// Traces the doubted pixels, or every one that faces the light; returns how many.
+fn trace<A: AnyHit + Sync>(
+    scene: &PackedScene,
+    light: Vec4,
+    trace_all: bool,
+    any_hit: A,
+    samples: &[Sample],
+    is_doubted: &[bool],
+    visibility: &mut [f32],
+) -> u64 {
+    let tracer = tracer(scene);
+    let blocks = visibility.par_chunks_mut(BLOCK).zip(samples.par_chunks(BLOCK)).zip(is_doubted.par_chunks(BLOCK));
+    blocks
+        .map_init(Batch::default, |batch, ((visibility, samples), is_doubted)| {
+            batch.clear();
+            for (i, sample) in samples.iter().enumerate() {
+                if trace_all {
+                    let (verdict, is_settled) = settle(sample, light);
+                    visibility[i] = verdict.visibility;
+                    if !is_settled {
+                        batch.push(i, shadow_ray(sample, light));
+                    }
+                } else if is_doubted[i] {
+                    batch.push(i, shadow_ray(sample, light));
+                }
+            }
+            batch.trace(&tracer, any_hit, visibility)
+        })
+        .sum()
+}
+
+/// The rays of one block and the pixels they belong to.
+#[derive(Default)]
+struct Batch {
+    pixels: Vec<usize>,
+    rays: Vec<Ray>,
+    is_blocked: Vec<bool>,
+}
+
+impl Batch {
+    fn clear(&mut self) {
+        self.pixels.clear();
+        self.rays.clear();
+    }
+
+    fn push(&mut self, pixel: usize, ray: Ray) {
+        self.pixels.push(pixel);
+        self.rays.push(ray);
+    }
+
+    fn trace<A: AnyHit>(&mut self, tracer: &Simd<'_>, any_hit: A, visibility: &mut [f32]) -> u64 {
+        self.is_blocked.clear();
+        self.is_blocked.resize(self.rays.len(), false);
+        tracer.occluded_batch(&self.rays, any_hit, &mut self.is_blocked);
+        for (&pixel, &is_blocked) in self.pixels.iter().zip(&self.is_blocked) {
+            visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };
+        }
+        self.rays.len() as u64
+    }
+}
+
+fn estimate_tiles<T: TestFromParams, M: MapView + Sync, const LTT: bool>(
+    p: &ShadowParams,
+    map: M,
+    samples: &[Sample],
+    visibility: &mut [f32],
+    is_doubted: &mut [bool],
+) {
+    let blocks = samples.par_chunks(BLOCK).zip(visibility.par_chunks_mut(BLOCK)).zip(is_doubted.par_chunks_mut(BLOCK));
+    blocks.for_each(|((samples, visibility), is_doubted)| {
+        for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
+            let verdict = evaluate::<T, M, LTT>(sample, p, map);
+            *visibility = verdict.visibility;
+            *is_doubted = verdict.is_doubted;
+        }
+    });
+}
+
+fn blur_rows(test: MapTest, p: &FilterParams, depths: &[f32], rows: &mut [Vec4]) {
+    let each = |kernel: fn(UVec2, &FilterParams, &[f32]) -> Vec4, rows: &mut [Vec4]| {
+        map_texels(p.map_size, rows, |texel| kernel(texel, p, depths));
+    };
+    match test {
+        MapTest::Vsm => each(filter_x::<Vsm>, rows),
+        MapTest::Esm => each(filter_x::<Esm>, rows),
+        MapTest::Evsm => each(filter_x::<Evsm>, rows),
+        MapTest::Msm => each(filter_x::<MsmHamburger>, rows),
+        MapTest::MsmHausdorff => each(filter_x::<MsmHausdorff>, rows),
+        // The technique parser refuses these: a biased test has no vectors to filter.
+        MapTest::Sm | MapTest::Pcf => {}
+    }
+}
+
+fn blur_columns(p: &FilterParams, rows: &[Vec4], vectors: &mut [Vec4]) {
+    map_texels(p.map_size, vectors, |texel| filter_y(texel, p, rows));
+}
+
+fn map_texels(map_size: u32, out: &mut [Vec4], kernel: impl Fn(UVec2) -> Vec4 + Sync) {
+    out.par_chunks_mut(map_size as usize).enumerate().for_each(|(y, row)| {
+        for (x, texel) in row.iter_mut().enumerate() {
+            *texel = kernel(UVec2::new(x as u32, y as u32));
+        }
+    });
+}
+
+fn colors(scene: &PackedScene) -> ColorTextures<'_> {
+    ColorTextures { texels: scene.color_texels() }
+}
+
+/// The camera pass over all tiles.
+fn see<A: AnyHit + Sync, C: ColorSource + Sync>(
+    scene: &PackedScene,
+    tiles: Tiles,
+    p: &CameraParams,
+    any_hit: A,
+    colors: C,
+    samples: &mut [Sample],
+) {
+    let (nodes, triangles) = (scene.nodes(), scene.triangles());
+    match scene.trees() {
+        Trees::Flat(_) => see_geometry(scene, tiles, p, FlatGeometry { nodes, triangles }, any_hit, colors, samples),
+        Trees::Instanced(_) => {
+            let geometry = InstancedGeometry { nodes, triangles, instances: scene.instances(), root: scene.root() };
+            see_geometry(scene, tiles, p, geometry, any_hit, colors, samples);
+        }
+    }
+}
+
+fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
+    scene: &PackedScene,
+    tiles: Tiles,
+    p: &CameraParams,
+    geometry: G,
+    any_hit: A,
+    colors: C,
+    samples: &mut [Sample],
+) {
+    let tracer = tracer(scene);
+    samples.par_chunks_mut(BLOCK).enumerate().for_each(|(block, samples)| {
+        let pixels: Vec<Option<UVec2>> = (0..BLOCK).map(|i| tiles.pixel(block, i)).collect();
+        let rays: Vec<Ray> = pixels.iter().map(|px| px.map_or(Ray::default(), |px| primary_ray(px, p))).collect();
+        let mut hits = vec![Hit::miss(0.0); BLOCK];
+        tracer.closest_batch(&rays, any_hit, &mut hits);
+        for (sample, hit) in samples.iter_mut().zip(&hits) {
+            *sample = sample_at_hit(hit, p, geometry, scene.vertices(), scene.materials(), colors);
+        }
+    });
+}
+
+fn milliseconds(start: Instant) -> f64 {
+    start.elapsed().as_secs_f64() * 1e3
+}
+
+/// The processor's own name where the system tells it.
+fn cpu_model() -> String {
+    let from_proc = std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| {
+        let line = text.lines().find(|l| l.starts_with("model name"))?;
+        line.split_once(':').map(|(_, name)| name.trim().to_owned())
+    });
+    from_proc.unwrap_or_else(|| std::env::consts::ARCH.to_owned())
+}

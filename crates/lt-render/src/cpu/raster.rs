@@ -1,0 +1,266 @@
+//! Depth maps in software: the coverage rule of graphics hardware (corners snapped to 1/256 texel, top-left rule,
+//! texel centres), the map cut into bands that threads own, holes cut by the alpha test.
+
+use lt_bvh::Triangle;
+use lt_math::glam::{Vec2, Vec3};
+use lt_shaders::abi::DepthParams;
+use lt_shaders::depth::{corner, map_position, placed_corner, weights_at};
+use lt_shaders::surface::{blocks, corners_of};
+use rayon::prelude::*;
+
+use crate::{PackedScene, packed::DrawRange};
+
+/// Steps per texel that corners are snapped to; every Vulkan driver offers at least 4 bits, most have 8.
+const SUBTEXEL: f32 = 256.0;
+/// Rows a thread owns.
+const BAND: usize = 64;
+/// Triangles sorted into bands at a time, so that the lists stay small however large the scene.
+const BATCH: usize = 1 << 18;
+/// Corners farther out than this many texels are clamped, which keeps edge functions inside 63 bits.
+const GUARD_TEXELS: f32 = 1.0e6;
+
+/// A triangle ready to be drawn.
+#[derive(Clone, Copy)]
+struct Prepared {
+    /// Corners in texels; z is the depth.
+    corners: [Vec3; 3],
+    /// The same, snapped, in counter-clockwise order on a y-down map.
+    snapped: [[i64; 2]; 3],
+    triangle: u32,
+    has_holes: bool,
+}
+
+/// Draws every caster of the scene into `map`: `map_size²` depths, row by row, 1 where nothing is.
+pub fn draw_depths(scene: &PackedScene, p: &DepthParams, map: &mut [f32]) {
+    let size = p.map_size as usize;
+    map.par_chunks_mut(BAND * size).for_each(|band| band.fill(1.0));
+    for draw in scene.draws() {
+        let mut first = draw.first_triangle;
+        let end = draw.first_triangle + draw.triangles;
+        while first < end {
+            let batch = DrawRange { first_triangle: first, triangles: (end - first).min(BATCH as u32), ..*draw };
+            draw_batch(scene, p, &batch, map);
+            first += batch.triangles;
+        }
+    }
+}
+
+fn draw_batch(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, map: &mut [f32]) {
+    let size = p.map_size as usize;
+    let first = draw.first_triangle as usize;
+    let triangles = &scene.triangles()[first..first + draw.triangles as usize];
+    let prepared: Vec<Prepared> = triangles
+        .par_iter()
+        .enumerate()
+        .filter_map(|(i, t)| prepare(scene, p, draw, (first + i) as u32, t))
+        .collect();
+    let mut bands: Vec<Vec<u32>> = vec![Vec::new(); size.div_ceil(BAND)];
+    for (i, t) in prepared.iter().enumerate() {
+        let (low, high) = rows_of(t, size);
+        for band in bands.iter_mut().take(high.div_ceil(BAND)).skip(low / BAND) {
+            band.push(i as u32);
+        }
+    }
+    map.par_chunks_mut(BAND * size).zip(&bands).enumerate().for_each(|(band, (rows, members))| {
+        for &i in members {
+            draw_triangle(scene, &prepared[i as usize], band * BAND, size, rows);
+        }
+    });
+}
+
+fn prepare(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, index: u32, t: &Triangle) -> Option<Prepared> {
+    let world = |i: u32| match scene.instances() {
+        [] => corner(t, i),
+        placed => placed_corner(t, i, &placed[draw.instance as usize]),
+    };
+    let corners = [0, 1, 2].map(|i| map_position(&p.projection, world(i), p.map_size));
+    let snap = |x: f32| (x.clamp(-GUARD_TEXELS, GUARD_TEXELS) * SUBTEXEL).round_ties_even() as i64;
+    let mut snapped = corners.map(|c| [snap(c.x), snap(c.y)]);
+    let area = edge(snapped[0], snapped[1], snapped[2]);
+    if area == 0 {
+        return None;
+    }
+    if area < 0 {
+        snapped.swap(1, 2);
+    }
+    let has_holes = draw.has_holes && !t.is_opaque();
+    let prepared = Prepared { corners, snapped, triangle: index, has_holes };
+    let (low, high) = rows_of(&prepared, p.map_size as usize);
+    (low < high && corners.iter().any(|c| c.z < 1.0)).then_some(prepared)
+}
+
+/// Twice the signed area of a triangle of snapped points.
+fn edge(a: [i64; 2], b: [i64; 2], c: [i64; 2]) -> i64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// First and one past the last texel row whose centres the triangle may cover.
+fn rows_of(t: &Prepared, size: usize) -> (usize, usize) {
+    span(t.snapped.map(|c| c[1]), size)
+}
+
+/// First and one past the last texel whose centre lies between the least and the greatest of three snapped numbers.
+fn span(at: [i64; 3], size: usize) -> (usize, usize) {
+    let (low, high) = (at[0].min(at[1]).min(at[2]), at[0].max(at[1]).max(at[2]));
+    // A centre lies at 256·i + 128.
+    let first = (low - 128).div_euclid(256) + i64::from((low - 128).rem_euclid(256) != 0);
+    let last = (high - 128).div_euclid(256) + 1;
+    let clamp = |x: i64| x.clamp(0, size as i64) as usize;
+    (clamp(first), clamp(last))
+}
+
+/// A line whose left side (≥ 0) is inside: `dx · x + dy · y + at ≥ 0` with x, y in texels.
+#[derive(Clone, Copy)]
+struct Edge {
+    dx: i64,
+    dy: i64,
+    at: i64,
+}
+
+impl Edge {
+    /// From a to b, evaluated at texel centres, with the top-left rule as an offset of one unit.
+    fn new(a: [i64; 2], b: [i64; 2]) -> Self {
+        let (dx, dy) = (-(b[1] - a[1]), b[0] - a[0]);
+        // y points down and the inside is to the right of an edge that goes up.
+        let is_top_left = dx > 0 || (dx == 0 && dy > 0);
+        let constant = -(dx * a[0] + dy * a[1]) + 128 * (dx + dy);
+        Self { dx: dx * 256, dy: dy * 256, at: constant - i64::from(!is_top_left) }
+    }
+
+    /// Narrows [low, high) to the columns of a row that lie inside.
+    fn narrow(&self, row: i64, low: &mut i64, high: &mut i64) {
+        let value = self.dy * row + self.at;
+        if self.dx > 0 {
+            // dx · x + value ≥ 0 ⇔ x ≥ −value / dx, rounded up.
+            *low = (*low).max(-value.div_euclid(self.dx));
+        } else if self.dx < 0 {
+            *high = (*high).min(value.div_euclid(-self.dx) + 1);
+        } else if value < 0 {
+            *high = *low;
+        }
+    }
+}
+
+fn draw_triangle(scene: &PackedScene, t: &Prepared, first_row: usize, size: usize, rows: &mut [f32]) {
+    let s = t.snapped;
+    let edges = [Edge::new(s[0], s[1]), Edge::new(s[1], s[2]), Edge::new(s[2], s[0])];
+    let (low_row, high_row) = rows_of(t, size);
+    let (low_column, high_column) = span(s.map(|c| c[0]), size);
+    let plane = DepthPlane::through(&t.corners);
+    for row in low_row.max(first_row)..high_row.min(first_row + rows.len() / size) {
+        let (mut low, mut high) = (low_column as i64, high_column as i64);
+        for e in &edges {
+            e.narrow(row as i64, &mut low, &mut high);
+        }
+        let depths = &mut rows[(row - first_row) * size..][..size];
+        for column in low..high {
+            let centre = Vec2::new(column as f32 + 0.5, row as f32 + 0.5);
+            let depth = plane.at(centre);
+            let stored = &mut depths[column as usize];
+            if depth < *stored && depth >= 0.0 && (!t.has_holes || is_covered(scene, t, centre)) {
+                *stored = depth;
+            }
+        }
+    }
+}
+
+fn is_covered(scene: &PackedScene, t: &Prepared, centre: Vec2) -> bool {
+    let weights = weights_at(centre, &t.corners);
+    let corners = corners_of(&scene.triangles()[t.triangle as usize], scene.vertices());
+    let material = &scene.materials()[corners[0].material as usize];
+    blocks(material, &corners, weights, scene.alpha_texels())
+}
+
+/// Depth as a linear function of the place on the map, never past the corners' own depths.
+struct DepthPlane {
+    origin: Vec3,
+    gradient: Vec2,
+    low: f32,
+    high: f32,
+}
+
+impl DepthPlane {
+    fn through(corners: &[Vec3; 3]) -> Self {
+        let (a, b) = ((corners[1] - corners[0]).as_dvec3(), (corners[2] - corners[0]).as_dvec3());
+        let area = a.x * b.y - a.y * b.x;
+        let gradient = match area == 0.0 {
+            true => Vec2::ZERO,
+            false => Vec2::new(((a.z * b.y - b.z * a.y) / area) as f32, ((b.z * a.x - a.z * b.x) / area) as f32),
+        };
+        let z = corners.map(|c| c.z);
+        Self { origin: corners[0], gradient, low: z[0].min(z[1]).min(z[2]), high: z[0].max(z[1]).max(z[2]) }
+    }
+
+    fn at(&self, p: Vec2) -> f32 {
+        let offset = (p - self.origin.truncate()).dot(self.gradient);
+        (self.origin.z + offset).clamp(self.low, self.high)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn covered(corners: [[f32; 2]; 3], size: usize) -> Vec<bool> {
+        let corners = corners.map(|c| Vec3::new(c[0], c[1], 0.5));
+        let snap = |x: f32| (x * SUBTEXEL).round_ties_even() as i64;
+        let mut snapped = corners.map(|c| [snap(c.x), snap(c.y)]);
+        if edge(snapped[0], snapped[1], snapped[2]) < 0 {
+            snapped.swap(1, 2);
+        }
+        let t = Prepared { corners, snapped, triangle: 0, has_holes: false };
+        let edges = [
+            Edge::new(snapped[0], snapped[1]),
+            Edge::new(snapped[1], snapped[2]),
+            Edge::new(snapped[2], snapped[0]),
+        ];
+        let mut out = vec![false; size * size];
+        let (low_row, high_row) = rows_of(&t, size);
+        for row in low_row..high_row {
+            let (low, high) = span(snapped.map(|c| c[0]), size);
+            let (mut low, mut high) = (low as i64, high as i64);
+            edges.iter().for_each(|e| e.narrow(row as i64, &mut low, &mut high));
+            for column in low..high {
+                out[row * size + column as usize] = true;
+            }
+        }
+        out
+    }
+
+    #[test]
+    fn a_shared_edge_is_drawn_exactly_once() {
+        // Two triangles of a square whose diagonal and sides run through texel centres.
+        let a = covered([[0.5, 0.5], [4.5, 0.5], [4.5, 4.5]], 8);
+        let b = covered([[0.5, 0.5], [4.5, 4.5], [0.5, 4.5]], 8);
+        for (i, (in_a, in_b)) in a.iter().zip(&b).enumerate() {
+            let (x, y) = (i % 8, i / 8);
+            assert!(!(*in_a && *in_b), "{x},{y} twice");
+            assert_eq!(*in_a || *in_b, x < 4 && y < 4, "{x},{y}: top and left edges belong, others do not");
+        }
+    }
+
+    #[test]
+    fn coverage_agrees_with_edge_signs_on_random_triangles() {
+        let mut state = 1u32;
+        let mut next = || {
+            state = state.wrapping_mul(1664525).wrapping_add(1013904223);
+            (state >> 8) as f32 / 65536.0 / 8.0 - 8.0
+        };
+        for _ in 0..2000 {
+            let c: [[f32; 2]; 3] = std::array::from_fn(|_| [next(), next()]);
+            let mask = covered(c, 16);
+            for (i, is_in) in mask.iter().enumerate() {
+                let p = [i as f64 % 16.0 + 0.5, (i / 16) as f64 + 0.5];
+                let d = |a: [f32; 2], b: [f32; 2]| {
+                    let q = |x: f32| (f64::from(x) * 256.0).round_ties_even() / 256.0;
+                    (q(b[0]) - q(a[0])) * (p[1] - q(a[1])) - (q(b[1]) - q(a[1])) * (p[0] - q(a[0]))
+                };
+                let s = [d(c[0], c[1]), d(c[1], c[2]), d(c[2], c[0])];
+                let strictly = s.iter().all(|x| *x > 0.0) || s.iter().all(|x| *x < 0.0);
+                let outside = s.iter().any(|x| *x > 0.0) && s.iter().any(|x| *x < 0.0);
+                assert!(!strictly || *is_in);
+                assert!(!outside || !*is_in);
+            }
+        }
+    }
+}

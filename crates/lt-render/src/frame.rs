@@ -1,0 +1,62 @@
+//! What one frame runs and what comes out of it.
+
+/// Kinds of pass, in the order a frame runs them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum PassKind {
+    /// Primary rays to visible samples; once per view, shared by all techniques.
+    Camera,
+    /// Casters rasterised from the light.
+    DepthMap,
+    /// Depths to vectors, blurred along rows.
+    FilterX,
+    /// Vectors blurred along columns.
+    FilterY,
+    /// Estimate and doubt.
+    Evaluate,
+    /// Truth for the doubted pixels.
+    Resolve,
+}
+
+impl PassKind {
+    /// Name in reports and GPU labels.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Camera => "camera",
+            Self::DepthMap => "depth map",
+            Self::FilterX => "filter x",
+            Self::FilterY => "filter y",
+            Self::Evaluate => "evaluate",
+            Self::Resolve => "resolve",
+        }
+    }
+
+    /// Whether it belongs to making the map rather than to shadowing pixels.
+    pub fn makes_map(self) -> bool {
+        matches!(self, Self::DepthMap | Self::FilterX | Self::FilterY)
+    }
+}
+
+/// One pass that ran.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pass {
+    /// What it was.
+    pub kind: PassKind,
+    /// Its time, or `None` where the device has no timestamps.
+    pub ms: Option<f64>,
+}
+
+/// The shadows of one frame, read back.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Per pixel, row by row from the top: 1 lit, 0 blocked, between for unresolved soft estimates. 0 where nothing
+    /// is visible or the surface faces away from the light.
+    pub visibility: Vec<f32>,
+    /// Per pixel: whether the estimate was doubted (and so resolved).
+    pub doubt: Vec<bool>,
+    /// Shadow rays traced.
+    pub rays: u64,
+    /// Passes in order, with times.
+    pub passes: Vec<Pass>,
+    /// Bytes of map storage the technique needed.
+    pub map_bytes: u64,
+}

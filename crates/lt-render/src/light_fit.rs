@@ -1,0 +1,151 @@
+//! Fitting a directional light's map to what the camera can see of the scene.
+//!
+//! Receivers are the part of the scene's box inside the view pyramid; the map's sides and far plane enclose them. The
+//! near plane encloses the whole scene, so that casters behind the camera keep their shadows.
+
+use lt_math::glam::{Vec3, Vec3Swizzles};
+use lt_math::{LightFrame, LightProjection};
+use lt_scene::Bounds;
+use lt_shaders::abi::CameraParams;
+
+/// Where a directional map looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightFit {
+    /// World to map.
+    pub projection: LightProjection,
+    /// World size of the map along its x and y, and of its depth range.
+    pub extent_world: Vec3,
+}
+
+/// Texels of margin on each side: a footprint at the border still finds its neighbours.
+const MARGIN_TEXELS: f32 = 2.0;
+/// Part of the depth range added at each end, so that no caster is clipped by rounding.
+const DEPTH_MARGIN: f32 = 1e-3;
+
+/// Fits a map of `map_size`² texels to a light travelling along `direction`.
+///
+/// A camera that sees nothing of the scene gets the whole scene; an empty scene gets a unit box.
+pub fn fit_directional(scene: Bounds, camera: &CameraParams, direction: Vec3, map_size: u32) -> LightFit {
+    let scene = if scene.is_empty() { Bounds { min: Vec3::NEG_ONE, max: Vec3::ONE } } else { scene };
+    let frame = LightFrame::from_direction(direction);
+    let seen = visible_region(scene, camera);
+    let in_light = |points: &[Vec3]| points.iter().fold(Bounds::EMPTY, |b, &p| b.including(frame.to_light(p)));
+    let receivers = if seen.is_empty() { in_light(&scene.corners()) } else { in_light(&seen) };
+    let casters = in_light(&scene.corners());
+    let (mut min, mut max) = (receivers.min, receivers.max);
+    min.z = casters.min.z;
+    // A flat or tiny region still needs a box with an inside.
+    let least = (casters.max - casters.min).max_element() * 1e-5 + f32::MIN_POSITIVE;
+    let texel = ((max - min).xy().max_element().max(least)) / map_size as f32;
+    let margin = Vec3::new(MARGIN_TEXELS * texel, MARGIN_TEXELS * texel, ((max.z - min.z) * DEPTH_MARGIN).max(least));
+    min -= margin;
+    max += margin;
+    LightFit { projection: LightProjection::orthographic(&frame, min, max), extent_world: max - min }
+}
+
+/// Corner points of the convex region that lies in the scene's box and in the view pyramid; empty if nothing does.
+fn visible_region(scene: Bounds, camera: &CameraParams) -> Vec<Vec3> {
+    let mut points: Vec<Vec3> = box_faces(scene).into_iter().flat_map(|face| clip_to_view(face, camera)).collect();
+    let is_inside = |p: Vec3| p.cmpge(scene.min).all() && p.cmple(scene.max).all();
+    if is_inside(camera.eye) {
+        points.push(camera.eye);
+    }
+    for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {
+        let edge = camera.forward + camera.right * x + camera.up * y;
+        points.extend(segment_in_box(camera.eye, edge, scene).into_iter().flatten());
+    }
+    points
+}
+
+fn box_faces(b: Bounds) -> [Vec<Vec3>; 6] {
+    let c = b.corners();
+    [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]].map(|f| f.map(|i| c[i]).to_vec())
+}
+
+/// Sutherland–Hodgman against the view's four side planes and the plane through the eye.
+fn clip_to_view(mut polygon: Vec<Vec3>, camera: &CameraParams) -> Vec<Vec3> {
+    let (r, u, f) = (camera.right, camera.up, camera.forward);
+    let (rr, uu) = (r / r.length_squared(), u / u.length_squared());
+    for plane in [f, f - rr, f + rr, f - uu, f + uu] {
+        let side = |p: Vec3| plane.dot(p - camera.eye);
+        let mut kept = Vec::with_capacity(polygon.len() + 1);
+        for i in 0..polygon.len() {
+            let (a, b) = (polygon[i], polygon[(i + 1) % polygon.len()]);
+            let (sa, sb) = (side(a), side(b));
+            if sa >= 0.0 {
+                kept.push(a);
+            }
+            if (sa < 0.0) != (sb < 0.0) {
+                kept.push(a + (b - a) * (sa / (sa - sb)));
+            }
+        }
+        polygon = kept;
+    }
+    polygon
+}
+
+/// Where a ray enters and leaves a box.
+fn segment_in_box(origin: Vec3, direction: Vec3, b: Bounds) -> [Option<Vec3>; 2] {
+    let (mut near, mut far) = (0.0f32, f32::MAX);
+    for axis in 0..3 {
+        if direction[axis] == 0.0 {
+            if origin[axis] < b.min[axis] || origin[axis] > b.max[axis] {
+                return [None, None];
+            }
+            continue;
+        }
+        let (t0, t1) = ((b.min[axis] - origin[axis]) / direction[axis], (b.max[axis] - origin[axis]) / direction[axis]);
+        near = near.max(t0.min(t1));
+        far = far.min(t0.max(t1));
+    }
+    if near > far { [None, None] } else { [Some(origin + direction * near), Some(origin + direction * far)] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lt_math::glam::UVec2;
+
+    fn camera(eye: Vec3, forward: Vec3) -> CameraParams {
+        let right = forward.cross(Vec3::Y).normalize();
+        let up = right.cross(forward);
+        CameraParams { eye, root: 0, right, pad0: 0, up, pad1: 0, forward, pad2: 0, size: UVec2::ONE, pad3: UVec2::ZERO }
+    }
+
+    const BOX: Bounds = Bounds { min: Vec3::splat(-10.0), max: Vec3::splat(10.0) };
+
+    #[test]
+    fn what_the_camera_sees_lies_inside_the_map() {
+        let cam = camera(Vec3::new(0.0, 2.0, 5.0), Vec3::new(0.0, -0.3, -1.0).normalize());
+        let fit = fit_directional(BOX, &cam, Vec3::new(0.3, -1.0, 0.2), 1024);
+        let mut seen = 0;
+        for i in 0..20 * 20 * 20 {
+            let p = Vec3::new((i % 20) as f32 - 9.5, (i / 20 % 20) as f32 - 9.5, (i / 400) as f32 - 9.5);
+            let d = p - cam.eye;
+            let z = d.dot(cam.forward);
+            if z > 0.0 && d.dot(cam.right).abs() < z && d.dot(cam.up).abs() < z {
+                seen += 1;
+                assert!(fit.projection.project(p).is_inside, "{p}");
+            }
+        }
+        assert!(seen > 100);
+    }
+
+    #[test]
+    fn every_caster_lies_beyond_the_near_plane() {
+        let cam = camera(Vec3::new(0.0, 0.0, -9.0), Vec3::NEG_Z);
+        let fit = fit_directional(BOX, &cam, Vec3::new(0.0, -1.0, -1.0), 512);
+        for corner in BOX.corners() {
+            assert!(fit.projection.project(corner).depth >= 0.0);
+        }
+    }
+
+    #[test]
+    fn a_camera_that_looks_away_and_an_empty_scene_still_give_a_map() {
+        let away = camera(Vec3::splat(100.0), Vec3::X);
+        assert!(fit_directional(BOX, &away, Vec3::NEG_Y, 64).projection.project(Vec3::ZERO).is_inside);
+        assert!(fit_directional(Bounds::EMPTY, &away, Vec3::NEG_Y, 64).projection.project(Vec3::ZERO).is_inside);
+        let point = Bounds { min: Vec3::ONE, max: Vec3::ONE };
+        assert!(fit_directional(point, &away, Vec3::NEG_Y, 64).projection.project(Vec3::ONE).is_inside);
+    }
+}

@@ -1,0 +1,80 @@
+//! Which meshes are baked and which are instanced, and their triangles as builders want them.
+
+use std::collections::BTreeMap;
+
+use lt_math::glam::{Affine3A, Mat3, Vec3};
+use lt_scene::{Mesh, Scene};
+use lt_shaders::{abi::Vertex, surface::octahedral_encode};
+
+use super::textures::PackedMaterials;
+
+/// Instances that share one tree: every placement of one mesh, or all that are baked.
+pub struct Group {
+    /// Indices into `Scene::instances`.
+    pub members: Vec<usize>,
+    /// Whether the tree stays in object space and is placed once per member.
+    pub is_instanced: bool,
+}
+
+/// Triangles of one tree.
+pub struct Soup {
+    pub positions: Vec<Vec3>,
+    pub triangles: Vec<[u32; 3]>,
+    /// Per triangle: whether hits must ask the alpha test.
+    pub has_holes: Vec<bool>,
+}
+
+/// Sorts instances into trees; the baked ones come first. Always at least one group.
+pub fn group(scene: &Scene, bake_all_limit: usize) -> Vec<Group> {
+    let mut uses: BTreeMap<(u32, bool, bool), Vec<usize>> = BTreeMap::new();
+    for (i, instance) in scene.instances.iter().enumerate() {
+        let key = (instance.mesh, instance.casts_shadow, instance.receives_shadow);
+        uses.entry(key).or_default().push(i);
+    }
+    let bake_all = scene.triangle_count() <= bake_all_limit;
+    let (baked, instanced): (Vec<_>, Vec<_>) =
+        uses.into_values().partition(|members| bake_all || members.len() == 1);
+    let mut groups: Vec<Group> =
+        instanced.into_iter().map(|members| Group { members, is_instanced: true }).collect();
+    let members: Vec<usize> = baked.into_iter().flatten().collect();
+    if !members.is_empty() || groups.is_empty() {
+        groups.insert(0, Group { members, is_instanced: false });
+    }
+    groups
+}
+
+/// The triangles of a group, in world space if it is baked; their vertices' attributes are appended to `vertices`.
+///
+/// Triangle indices count from the start of `vertices`, so `positions` is padded in front: only its tail is used.
+pub fn soup(scene: &Scene, group: &Group, materials: &PackedMaterials, vertices: &mut Vec<Vertex>) -> Soup {
+    let mut soup =
+        Soup { positions: vec![Vec3::ZERO; vertices.len()], triangles: Vec::new(), has_holes: Vec::new() };
+    let members = if group.is_instanced { &group.members[..1] } else { &group.members[..] };
+    for &member in members {
+        let instance = &scene.instances[member];
+        let mesh = &scene.meshes[instance.mesh as usize];
+        let transform = if group.is_instanced { Affine3A::IDENTITY } else { instance.transform };
+        let material = materials.variant(mesh.material, instance.casts_shadow, instance.receives_shadow);
+        let has_holes = materials.has_holes(material, mesh);
+        let first = vertices.len() as u32;
+        soup.positions.extend(mesh.positions.iter().map(|&p| transform.transform_point3(p)));
+        push_vertices(mesh, transform, material, vertices);
+        soup.triangles.extend(mesh.indices.chunks_exact(3).map(|t| [t[0] + first, t[1] + first, t[2] + first]));
+        soup.has_holes.resize(soup.triangles.len(), has_holes);
+    }
+    soup
+}
+
+fn push_vertices(mesh: &Mesh, transform: Affine3A, material: u32, vertices: &mut Vec<Vertex>) {
+    let normal_matrix = Mat3::from(transform.matrix3).inverse().transpose();
+    vertices.extend((0..mesh.positions.len()).map(|i| {
+        let normal = mesh
+            .normals
+            .get(i)
+            .and_then(|&n| (normal_matrix * n).try_normalize())
+            .map_or(Vertex::NO_NORMAL, octahedral_encode);
+        let uv = mesh.uvs.get(i).copied().unwrap_or_default();
+        let color = mesh.colors.get(i).map_or(u32::MAX, |c| u32::from_le_bytes(*c));
+        Vertex { u: uv.x, v: uv.y, normal, color, material }
+    }));
+}

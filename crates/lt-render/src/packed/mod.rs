@@ -1,0 +1,239 @@
+//! A scene as the kernels read it: trees, vertices, materials and texels in flat buffers.
+//!
+//! Meshes placed once are baked into one world-space tree. Meshes placed several times keep a tree of their own under
+//! a TLAS, unless the scene is small enough that copies cost less than a second level of traversal.
+
+mod meshes;
+mod textures;
+
+use lt_bvh::{BuildQuality, Bvh, Dropped, InstancedBvh, Instance, Node, Placement, Triangle};
+use lt_math::glam::Affine3A;
+use lt_scene::{Bounds, Scene};
+use lt_shaders::abi::{Material, Vertex};
+
+use crate::RenderError;
+
+/// Scenes up to this many triangles (copies counted) are baked whole, measured on the built-in scenes: a copied
+/// triangle costs some 300 bytes with its share of both trees, a TLAS 20 to 40 % of the tracing speed.
+const BAKE_ALL_LIMIT: usize = 500_000;
+
+/// Sizes that the plan and reports speak of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PackStats {
+    /// Triangles over all instances.
+    pub triangles: u64,
+    /// Of these, with holes (or cut off from casting), so that hits ask the alpha test.
+    pub masked_triangles: u64,
+    /// Instances in the scene.
+    pub instances: u64,
+    /// Meshes kept once and placed several times.
+    pub instanced_meshes: u64,
+    /// Coverage texels.
+    pub alpha_texel_bytes: u64,
+    /// Colour texels.
+    pub color_texel_bytes: u64,
+    /// Trees, triangles and instances.
+    pub bvh_bytes: u64,
+    /// Triangles no ray can hit.
+    pub dropped: u64,
+}
+
+/// One range of the depth map pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DrawRange {
+    /// First triangle in the shared buffer.
+    pub first_triangle: u32,
+    /// Triangles.
+    pub triangles: u32,
+    /// Index into the instances where there is a TLAS.
+    pub instance: u32,
+    /// Whether any of them has holes.
+    pub has_holes: bool,
+}
+
+/// Trees of a scene.
+#[derive(Clone, Debug)]
+pub enum Trees {
+    /// One tree in world space.
+    Flat(Bvh),
+    /// A TLAS over placed trees.
+    Instanced(InstancedBvh),
+}
+
+/// A scene in the kernels' buffers.
+#[derive(Clone, Debug)]
+pub struct PackedScene {
+    trees: Trees,
+    vertices: Vec<Vertex>,
+    materials: Vec<Material>,
+    alpha_texels: Vec<u32>,
+    color_texels: Vec<u32>,
+    draws: Vec<DrawRange>,
+    bounds: Bounds,
+    stats: PackStats,
+}
+
+impl PackedScene {
+    /// Packs a posed scene and builds its trees.
+    ///
+    /// # Errors
+    /// [`RenderError::Build`] for indices out of range or a singular instance transform, which importers and
+    /// generators never hand over.
+    pub fn new(scene: &Scene) -> Result<Self, RenderError> {
+        let textures = textures::pack(scene);
+        let materials = textures::pack_materials(scene, &textures);
+        let groups = meshes::group(scene, BAKE_ALL_LIMIT);
+        let mut vertices = Vec::new();
+        let mut bvhs = Vec::new();
+        let mut holes = Vec::new();
+        for group in &groups {
+            let soup = meshes::soup(scene, group, &materials, &mut vertices);
+            holes.push(soup.has_holes.iter().filter(|h| **h).count() as u64);
+            let bvh = Bvh::build(&soup.positions, &soup.triangles, |i| !soup.has_holes[i], BuildQuality::Medium)
+                .map_err(|e| RenderError::Build(e.to_string()))?;
+            bvhs.push(bvh);
+        }
+        let mut stats = PackStats {
+            triangles: scene.triangle_count() as u64,
+            instances: scene.instances.len() as u64,
+            instanced_meshes: groups.iter().filter(|g| g.is_instanced).count() as u64,
+            alpha_texel_bytes: textures.alpha_texels.len() as u64 * 4,
+            color_texel_bytes: textures.color_texels.len() as u64 * 4,
+            ..PackStats::default()
+        };
+        for ((group, bvh), holes) in groups.iter().zip(&bvhs).zip(&holes) {
+            let copies = if group.is_instanced { group.members.len() as u64 } else { 1 };
+            stats.masked_triangles += holes * copies;
+            let Dropped { not_finite, zero_area } = bvh.dropped();
+            stats.dropped += (not_finite + zero_area) as u64 * copies;
+        }
+        let (trees, draws) = assemble(scene, &groups, bvhs, &holes)?;
+        let mut packed = Self {
+            trees,
+            vertices,
+            materials: materials.packed,
+            alpha_texels: textures.alpha_texels,
+            color_texels: textures.color_texels,
+            draws,
+            bounds: scene.bounds(),
+            stats,
+        };
+        packed.stats.bvh_bytes = (size_of_val(packed.nodes())
+            + size_of_val(packed.triangles())
+            + size_of_val(packed.instances())) as u64;
+        Ok(packed)
+    }
+
+    /// Sizes.
+    pub fn stats(&self) -> &PackStats {
+        &self.stats
+    }
+
+    /// World bounds of everything drawn.
+    pub fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    /// The trees.
+    pub fn trees(&self) -> &Trees {
+        &self.trees
+    }
+
+    /// Nodes of all trees; a TLAS, if any, comes last, its root at [`PackedScene::root`].
+    pub fn nodes(&self) -> &[Node] {
+        match &self.trees {
+            Trees::Flat(b) => b.nodes(),
+            Trees::Instanced(b) => b.nodes(),
+        }
+    }
+
+    /// Triangles of all trees in leaf order.
+    pub fn triangles(&self) -> &[Triangle] {
+        match &self.trees {
+            Trees::Flat(b) => b.triangles(),
+            Trees::Instanced(b) => b.triangles(),
+        }
+    }
+
+    /// Placed trees in the TLAS's leaf order; empty without one.
+    pub fn instances(&self) -> &[Instance] {
+        match &self.trees {
+            Trees::Flat(_) => &[],
+            Trees::Instanced(b) => b.instances(),
+        }
+    }
+
+    /// The node where traversal starts.
+    pub fn root(&self) -> u32 {
+        match &self.trees {
+            Trees::Flat(_) => 0,
+            Trees::Instanced(b) => b.tlas_root(),
+        }
+    }
+
+    /// Vertex attributes, indexed by the triangles' vertex indices.
+    pub fn vertices(&self) -> &[Vertex] {
+        &self.vertices
+    }
+
+    /// Surfaces.
+    pub fn materials(&self) -> &[Material] {
+        &self.materials
+    }
+
+    /// Coverage texels, four to a word.
+    pub fn alpha_texels(&self) -> &[u32] {
+        &self.alpha_texels
+    }
+
+    /// Colour texels, one word each.
+    pub fn color_texels(&self) -> &[u32] {
+        &self.color_texels
+    }
+
+    /// What the depth map pass draws.
+    pub fn draws(&self) -> &[DrawRange] {
+        &self.draws
+    }
+}
+
+fn assemble(
+    scene: &Scene,
+    groups: &[meshes::Group],
+    mut bvhs: Vec<Bvh>,
+    holes: &[u64],
+) -> Result<(Trees, Vec<DrawRange>), RenderError> {
+    let is_flat = groups.iter().all(|g| !g.is_instanced);
+    if is_flat && bvhs.len() == 1 {
+        let bvh = bvhs.remove(0);
+        let triangles = bvh.triangles().len() as u32;
+        let draw = DrawRange { first_triangle: 0, triangles, instance: 0, has_holes: holes[0] > 0 };
+        return Ok((Trees::Flat(bvh), vec![draw]));
+    }
+    let mut placements = Vec::new();
+    for (blas, group) in groups.iter().enumerate() {
+        match group.is_instanced {
+            false => placements.push(Placement { blas: blas as u32, object_to_world: Affine3A::IDENTITY }),
+            true => placements.extend(group.members.iter().map(|&i| Placement {
+                blas: blas as u32,
+                object_to_world: scene.instances[i].transform,
+            })),
+        }
+    }
+    let tree = InstancedBvh::build(&bvhs, &placements).map_err(|e| RenderError::Build(e.to_string()))?;
+    let draws = tree
+        .instances()
+        .iter()
+        .enumerate()
+        .map(|(index, instance)| {
+            let blas = placements[instance.source as usize].blas as usize;
+            DrawRange {
+                first_triangle: instance.first_triangle,
+                triangles: bvhs[blas].triangles().len() as u32,
+                instance: index as u32,
+                has_holes: holes[blas] > 0,
+            }
+        })
+        .collect();
+    Ok((Trees::Instanced(tree), draws))
+}

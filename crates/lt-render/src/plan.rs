@@ -1,0 +1,137 @@
+//! Which effects a scene, a view and a technique call for: the frame driver runs exactly these.
+
+use crate::{Doubt, MapSource, MapTest, PackStats, PassKind, Resolve, Technique};
+
+/// One effect, needed or not, with the reason.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Effect {
+    /// Name, e.g. `alpha test`.
+    pub name: &'static str,
+    /// Whether this frame needs it.
+    pub is_on: bool,
+    /// Why, in words with numbers.
+    pub reason: String,
+    /// What it costs when on (passes, bindings, bytes), in words with numbers.
+    pub cost: String,
+}
+
+/// The plan of one frame.
+///
+/// The switches select kernel variants: an effect that is off has no pass, no binding, no buffer and no branch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EffectPlan {
+    /// Casters with holes: rays and map fragments look up coverage.
+    pub alpha_test: bool,
+    /// Meshes placed more than once: rays walk a TLAS.
+    pub instances: bool,
+    /// Base colour textures: the camera pass looks up colours.
+    pub color_textures: bool,
+    /// A depth map is drawn, for this test.
+    pub map: Option<(MapTest, MapSource)>,
+    /// Doubted pixels are compacted into a list.
+    pub doubt_list: bool,
+    /// Every light-facing pixel is traced, without a list.
+    pub trace_all: bool,
+    /// The same, listed for people.
+    pub effects: Vec<Effect>,
+}
+
+impl EffectPlan {
+    /// Inspects the input.
+    pub fn for_scene(s: &PackStats, technique: &Technique, map_size: u32) -> Self {
+        let map = technique.map_test();
+        let doubt_list = technique.doubt == Doubt::Ltt && technique.resolve == Resolve::Ray;
+        let trace_all = technique.doubt == Doubt::Always;
+        let size = technique.map_size.unwrap_or(map_size);
+        let is_prefiltered = matches!(map, Some((_, MapSource::Prefiltered)));
+        let mut plan = Self {
+            alpha_test: s.masked_triangles > 0,
+            instances: s.instanced_meshes > 0,
+            color_textures: s.color_texel_bytes > 0,
+            map,
+            doubt_list,
+            trace_all,
+            effects: Vec::new(),
+        };
+        let mut list = |name, is_on, reason: String, cost: String| {
+            plan.effects.push(Effect { name, is_on, reason, cost });
+        };
+        list(
+            "alpha test",
+            s.masked_triangles > 0,
+            format!("{} of {} triangles have holes", s.masked_triangles, s.triangles),
+            format!("3 bindings, {} of coverage texels, a fragment stage in the depth map", bytes(s.alpha_texel_bytes)),
+        );
+        list(
+            "instances",
+            s.instanced_meshes > 0,
+            format!("{} meshes are placed more than once, {} times in all", s.instanced_meshes, s.instances),
+            format!("1 binding, a TLAS over {} instances", s.instances),
+        );
+        list(
+            "colour textures",
+            s.color_texel_bytes > 0,
+            format!("{} of base colour texels in use", bytes(s.color_texel_bytes)),
+            "1 binding in the camera pass".to_owned(),
+        );
+        list(
+            "depth map",
+            map.is_some(),
+            map.map_or("the technique asks no map".to_owned(), |(t, _)| format!("estimate is {}", t.id())),
+            format!("1 pass, {}", bytes(u64::from(size) * u64::from(size) * 4)),
+        );
+        list(
+            "pre-filter",
+            is_prefiltered,
+            if is_prefiltered { "blurred depth vectors asked for" } else { "vectors are made from gathered depths" }.to_owned(),
+            format!("2 passes, {}", bytes(u64::from(size) * u64::from(size) * 32)),
+        );
+        list(
+            "doubt list",
+            doubt_list,
+            if doubt_list { "LTT doubts some pixels" } else { "nothing is doubted pixel by pixel" }.to_owned(),
+            "1 pass, 4 bytes a pixel, an indirect dispatch".to_owned(),
+        );
+        list(
+            "rays",
+            technique.resolve == Resolve::Ray,
+            match technique.doubt {
+                Doubt::Never => "the estimate stands as it is",
+                Doubt::Always => "every light-facing pixel is doubted",
+                Doubt::Ltt => "doubted pixels are resolved by rays",
+            }
+            .to_owned(),
+            "1 pass, the BVH".to_owned(),
+        );
+        plan
+    }
+
+    /// Whether a map of depth vectors is blurred.
+    pub fn is_prefiltered(&self) -> bool {
+        matches!(self.map, Some((_, MapSource::Prefiltered)))
+    }
+
+    /// The passes of a frame, in order. The camera pass is not among them: it runs once per view.
+    pub fn passes(&self) -> Vec<PassKind> {
+        let mut passes = Vec::new();
+        if let Some((_, source)) = self.map {
+            passes.push(PassKind::DepthMap);
+            if source == MapSource::Prefiltered {
+                passes.extend([PassKind::FilterX, PassKind::FilterY]);
+            }
+            passes.push(PassKind::Evaluate);
+        }
+        if self.doubt_list || self.trace_all {
+            passes.push(PassKind::Resolve);
+        }
+        passes
+    }
+}
+
+fn bytes(n: u64) -> String {
+    match n {
+        0..1024 => format!("{n} B"),
+        1024..1048576 => format!("{:.0} KiB", n as f64 / 1024.0),
+        _ => format!("{:.1} MiB", n as f64 / 1048576.0),
+    }
+}

@@ -1,0 +1,75 @@
+//! What to look at and under which light.
+
+use lt_math::glam::{UVec2, Vec3};
+use lt_scene::{Camera, Light, LightKind, Scene};
+
+use crate::{RenderError, technique::MAX_MAP_SIZE};
+
+/// View, light and map resolution of a session.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// Picture size in pixels, each side 1 to 16384.
+    pub size: UVec2,
+    /// Who looks.
+    pub camera: Camera,
+    /// What shines. This version draws maps for directional lights only.
+    pub light: Light,
+    /// Default map resolution, a multiple of 64.
+    pub map_size: u32,
+}
+
+/// Map resolution unless told otherwise (the leak tracing paper's).
+const DEFAULT_MAP_SIZE: u32 = 2048;
+/// Where the sun comes from when a scene has no directional light.
+const DEFAULT_SUN: Vec3 = Vec3::new(-0.5, -1.0, -0.35);
+
+impl Setup {
+    /// The scene's first camera (else one that frames its bounds) and first directional light (else a default sun).
+    pub fn for_scene(scene: &Scene, width: u32, height: u32) -> Self {
+        let camera = scene.cameras.first().cloned().unwrap_or_else(|| framing_camera(scene));
+        let is_sun = |l: &&Light| matches!(l.kind, LightKind::Directional { .. });
+        let light = scene.lights.iter().find(is_sun).cloned().unwrap_or_else(|| Light::sun(DEFAULT_SUN));
+        Self { size: UVec2::new(width, height), camera, light, map_size: DEFAULT_MAP_SIZE }
+    }
+
+    /// Refuses what cannot be drawn.
+    ///
+    /// # Errors
+    /// [`RenderError::BadSetup`] naming the field, the value and the range.
+    pub fn check(&self) -> Result<(), RenderError> {
+        let bad = |problem: String| Err(RenderError::BadSetup(problem));
+        if self.size.min_element() == 0 || self.size.max_element() > 16384 {
+            return bad(format!("picture size {}×{}: each side must be 1 to 16384", self.size.x, self.size.y));
+        }
+        let c = &self.camera;
+        if !(c.eye.is_finite() && c.target.is_finite() && (c.target - c.eye).length() > 0.0) {
+            return bad(format!("camera at {} looking at {}: they must be finite and differ", c.eye, c.target));
+        }
+        if !(c.fov_y_rad > 0.0 && c.fov_y_rad < std::f32::consts::PI) {
+            return bad(format!("field of view {} rad: must lie between 0 and π", c.fov_y_rad));
+        }
+        if self.map_size == 0 || self.map_size % 64 != 0 || self.map_size > MAX_MAP_SIZE {
+            return bad(format!("map size {}: must be a multiple of 64 up to {MAX_MAP_SIZE}", self.map_size));
+        }
+        match self.light.kind {
+            LightKind::Directional { direction } if direction.is_finite() && direction.length() > 0.0 => Ok(()),
+            LightKind::Directional { direction } => bad(format!("light direction {direction}: must be finite and not zero")),
+            _ => bad(format!("light `{}`: this version draws directional lights only", self.light.name)),
+        }
+    }
+}
+
+fn framing_camera(scene: &Scene) -> Camera {
+    let bounds = scene.bounds();
+    let (center, radius) = match bounds.is_empty() {
+        true => (Vec3::ZERO, 1.0),
+        false => ((bounds.min + bounds.max) * 0.5, ((bounds.max - bounds.min).length() * 0.5).max(1e-6)),
+    };
+    Camera {
+        name: "framing".to_owned(),
+        eye: center + Vec3::new(0.55, 0.45, 0.9).normalize() * radius * 2.2,
+        target: center,
+        up: Vec3::Y,
+        fov_y_rad: 55f32.to_radians(),
+    }
+}

@@ -1,0 +1,204 @@
+//! Puts a scene together at one moment: world transforms, then morphing, then skinning.
+
+use std::collections::HashMap;
+
+use lt_math::glam::{Affine3A, Vec3};
+
+use super::{
+    animation::{Animation, Posture},
+    budget::Budget,
+    cameras::Lens,
+    fault::Fault,
+    lights::Lamp,
+    morph,
+    nodes::{Hierarchy, is_invertible},
+    primitives::Primitive,
+    skin::Skin,
+    triangles::drop_degenerate,
+};
+use crate::{Bounds, Instance, Material, Mesh, Repairs, Scene, Texture};
+
+/// What hangs on a node that is shown.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Load {
+    pub(super) mesh: Option<usize>,
+    pub(super) skin: Option<usize>,
+    pub(super) lens: Option<Lens>,
+    pub(super) lamp: Option<Lamp>,
+}
+
+/// Everything in a file, ready to be posed.
+#[derive(Clone, Debug)]
+pub(super) struct Asset {
+    pub(super) name: String,
+    pub(super) hierarchy: Hierarchy,
+    /// By node.
+    pub(super) loads: Vec<Load>,
+    /// Morph weights at rest, by node.
+    pub(super) weights: Vec<Vec<f32>>,
+    /// By mesh; empty for meshes that no shown node uses.
+    pub(super) meshes: Vec<Vec<Primitive>>,
+    pub(super) skins: Vec<Skin>,
+    pub(super) animation: Option<Animation>,
+    pub(super) materials: Vec<Material>,
+    pub(super) textures: Vec<Texture>,
+    pub(super) repairs: Repairs,
+    /// Granted to every pose.
+    pub(super) budget: Budget,
+}
+
+impl Asset {
+    /// The scene at `time_s`.
+    pub(super) fn pose(&self, time_s: f32) -> Result<Scene, Fault> {
+        let mut posture = Posture { locals: self.hierarchy.rest.clone(), weights: self.weights.clone() };
+        if let Some(animation) = &self.animation {
+            animation.apply(time_s, &mut posture);
+        }
+        let world = self.hierarchy.world(&posture.locals);
+        let nodes = world.len();
+        let (moved, morphed) = self.animation.as_ref().map_or_else(Default::default, |a| a.moved(nodes));
+        let at = |marks: &Vec<bool>, node: usize| marks.get(node).copied().unwrap_or(false);
+        let moved = if moved.is_empty() { moved } else { self.hierarchy.inherit(moved) };
+        let mut posing = Posing {
+            asset: self,
+            skins: self
+                .skins
+                .iter()
+                .map(|s| Joints {
+                    matrices: s.matrices(&world),
+                    is_dynamic: s.joints.iter().any(|&j| at(&moved, j)),
+                })
+                .collect(),
+            scene: Scene {
+                name: self.name.clone(),
+                materials: self.materials.clone(),
+                textures: self.textures.clone(),
+                repairs: self.repairs.clone(),
+                ..Scene::default()
+            },
+            shared: HashMap::new(),
+            budget: self.budget.clone(),
+        };
+        let shown = self.hierarchy.order.iter().filter(|&&i| self.hierarchy.is_shown[i]);
+        for &node in shown {
+            let load = &self.loads[node];
+            posing.scene.lights.extend(load.lamp.as_ref().and_then(|l| l.place(&world[node])));
+            posing.scene.cameras.extend(load.lens.as_ref().and_then(|l| l.place(&world[node])));
+            if let Some(mesh) = load.mesh {
+                let state = NodeState {
+                    node,
+                    world: world[node],
+                    weights: &posture.weights[node],
+                    is_moved: at(&moved, node),
+                    is_morphed: at(&morphed, node),
+                };
+                posing.place(mesh, load.skin, &state)?;
+            }
+        }
+        Ok(posing.scene)
+    }
+}
+
+/// The joints of a skin at this moment.
+struct Joints {
+    matrices: Vec<Affine3A>,
+    is_dynamic: bool,
+}
+
+/// A node at this moment.
+struct NodeState<'a> {
+    node: usize,
+    world: Affine3A,
+    weights: &'a [f32],
+    is_moved: bool,
+    is_morphed: bool,
+}
+
+struct Posing<'a> {
+    asset: &'a Asset,
+    skins: Vec<Joints>,
+    scene: Scene,
+    /// Scene meshes of primitives that nothing deforms, by file mesh and primitive.
+    shared: HashMap<(usize, usize), u32>,
+    budget: Budget,
+}
+
+impl Posing<'_> {
+    /// Adds one instance for each primitive of a mesh. Which meshes are made, and in which order, does not depend on
+    /// the time.
+    fn place(&mut self, mesh: usize, skin: Option<usize>, state: &NodeState<'_>) -> Result<(), Fault> {
+        let asset = self.asset;
+        for (p, primitive) in asset.meshes[mesh].iter().enumerate() {
+            let node = state.node;
+            self.budget.charge(1, || format!("nodes[{node}].mesh"))?;
+            let skin = skin.filter(|_| primitive.influences.is_some());
+            let has_weight = state.is_morphed || asset.weights[node].iter().any(|&w| w != 0.0);
+            let is_morphed = !primitive.targets.is_empty() && has_weight;
+            let is_deformed = skin.is_some() || is_morphed;
+            let (index, bounds) = if is_deformed {
+                self.deformed(primitive, skin, state)?
+            } else {
+                (self.shared(mesh, p, primitive), primitive.bounds)
+            };
+            let (transform, is_moved) = match skin {
+                Some(skin) => (Affine3A::IDENTITY, self.skins[skin].is_dynamic),
+                None => (state.world, state.is_moved),
+            };
+            let is_placeable = is_invertible(&transform)
+                && (bounds.is_empty()
+                    || bounds.corners().iter().all(|&c| transform.transform_point3(c).is_finite()));
+            if !is_placeable {
+                self.scene.repairs.singular_instances += 1;
+                continue;
+            }
+            let is_dynamic = is_moved || (is_morphed && state.is_morphed);
+            self.scene.instances.push(Instance { is_dynamic, ..Instance::new(index, transform) });
+        }
+        Ok(())
+    }
+
+    fn shared(&mut self, mesh: usize, index: usize, primitive: &Primitive) -> u32 {
+        *self.shared.entry((mesh, index)).or_insert_with(|| {
+            self.scene.meshes.push(primitive.mesh.clone());
+            self.scene.meshes.len() as u32 - 1
+        })
+    }
+
+    /// A mesh of its own, morphed in object space and, if there is a skin, taken to the world by its joints.
+    fn deformed(
+        &mut self,
+        primitive: &Primitive,
+        skin: Option<usize>,
+        state: &NodeState<'_>,
+    ) -> Result<(u32, Bounds), Fault> {
+        let rest = &primitive.mesh;
+        let place = || format!("nodes[{}].mesh", state.node);
+        let work =
+            rest.positions.len() as u64 * (1 + primitive.targets.len() as u64) + rest.indices.len() as u64;
+        self.budget.charge(work, place)?;
+        let mut mesh = rest.clone();
+        morph::apply(&primitive.targets, state.weights, &mut mesh.positions, &mut mesh.normals);
+        if let (Some(skin), Some(influences)) = (skin, &primitive.influences) {
+            influences.apply(&self.skins[skin].matrices, &mut mesh.positions, &mut mesh.normals);
+        }
+        if let Some(i) = mesh.positions.iter().position(|p| !p.is_finite()) {
+            return Err(Fault::at(
+                place(),
+                format!("vertex {i} of {:?} is not finite once posed", mesh.name),
+            ));
+        }
+        normalize(&mut mesh, &mut self.scene.repairs);
+        self.scene.repairs.degenerate_triangles += drop_degenerate(&mut mesh.indices, &mesh.positions);
+        let bounds = mesh.positions.iter().fold(Bounds::EMPTY, |b, &p| b.including(p));
+        self.scene.meshes.push(mesh);
+        Ok((self.scene.meshes.len() as u32 - 1, bounds))
+    }
+}
+
+/// Makes normals unit again, or drops them all, counted, if one has no length left.
+fn normalize(mesh: &mut Mesh, repairs: &mut Repairs) {
+    let normals: Vec<Option<Vec3>> = mesh.normals.iter().map(|n| n.try_normalize()).collect();
+    let bad = normals.iter().filter(|n| n.is_none()).count();
+    repairs.bad_normals += bad;
+    mesh.normals = if bad == 0 { normals.into_iter().flatten().collect() } else { Vec::new() };
+}

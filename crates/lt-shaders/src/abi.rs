@@ -1,0 +1,215 @@
+//! Every type that crosses between host and kernels: `repr(C)`, explicit padding, sizes asserted.
+//!
+//! A `Vec3` sits at a multiple of 16 bytes and is paired with a 4-byte scalar, so that the layout is the same in
+//! Rust, SPIR-V and WGSL.
+
+use bytemuck::{Pod, Zeroable};
+use lt_math::LightProjection;
+use lt_math::glam::{UVec2, Vec3, Vec4};
+
+/// What the camera sees through the centre of one pixel.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Sample {
+    /// World position of the visible point.
+    pub position: Vec3,
+    /// Largest absolute world coordinate of the visible triangle's vertices: the scale of rounding errors there.
+    pub magnitude: f32,
+    /// Unit geometric normal, facing the camera; zero where nothing is visible.
+    pub normal: Vec3,
+    /// Surface flags: see [`Sample::RECEIVES`].
+    pub flags: u32,
+    /// Unit shading normal, on the same side as `normal`.
+    pub shading_normal: Vec3,
+    /// Base colour, linear RGB in three bytes from the lowest, square-rooted for precision.
+    pub albedo: u32,
+}
+
+impl Sample {
+    /// Flag: shadows fall on this surface.
+    pub const RECEIVES: u32 = 1;
+
+    /// Whether anything is visible in this pixel.
+    pub fn is_valid(&self) -> bool {
+        self.normal != Vec3::ZERO
+    }
+}
+
+/// A pinhole camera as the camera pass wants it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct CameraParams {
+    /// Centre of projection, world.
+    pub eye: Vec3,
+    /// First node of the tree to walk: the TLAS, or the one world-space tree.
+    pub root: u32,
+    /// Half the picture's width at distance 1, along the camera's right.
+    pub right: Vec3,
+    /// Explicit padding.
+    pub pad0: u32,
+    /// Half the picture's height at distance 1, along the camera's up.
+    pub up: Vec3,
+    /// Explicit padding.
+    pub pad1: u32,
+    /// Unit view direction.
+    pub forward: Vec3,
+    /// Explicit padding.
+    pub pad2: u32,
+    /// Picture size in pixels.
+    pub size: UVec2,
+    /// Explicit padding.
+    pub pad3: UVec2,
+}
+
+/// The light, the map and the test, as the evaluate and resolve passes want them.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ShadowParams {
+    /// World to light map.
+    pub projection: LightProjection,
+    /// Homogeneous light: `xyz` with `w = 0` is the unit direction *to* a directional light, with `w = 1` the position
+    /// of a point or spot light. The vector from p to the light is `xyz − w·p` either way.
+    pub light: Vec4,
+    /// Parameters of the shadow test, in the order its kernel documents.
+    pub test: Vec4,
+    /// Picture size in pixels.
+    pub size: UVec2,
+    /// Map size in texels (square).
+    pub map_size: u32,
+    /// LTT's ε.
+    pub epsilon: f32,
+    /// First node of the tree to walk: the TLAS, or the one world-space tree.
+    pub root: u32,
+    /// Explicit padding: a scalar, because uniform arrays would need a stride of 16.
+    pub pad0: u32,
+    /// Explicit padding.
+    pub pad1: u32,
+    /// Explicit padding.
+    pub pad2: u32,
+}
+
+/// Vertex attributes, indexed by `lt_bvh::Triangle::i0…i2`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Vertex {
+    /// Texture coordinate, u to the right.
+    pub u: f32,
+    /// Texture coordinate, v down.
+    pub v: f32,
+    /// Octahedral unit normal in the tree's space, two 16-bit signed fractions; [`Vertex::NO_NORMAL`] if absent.
+    pub normal: u32,
+    /// Linear RGBA vertex colour, 8 bits each, red lowest.
+    pub color: u32,
+    /// Index of the material.
+    pub material: u32,
+}
+
+impl Vertex {
+    /// No shading normal here: use the geometric one.
+    pub const NO_NORMAL: u32 = 0x8000_8000;
+}
+
+/// A surface as kernels see it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Material {
+    /// Linear RGBA factor.
+    pub base_color: Vec4,
+    /// Coverage threshold: a point lets light through where alpha is below; 0 covers everywhere.
+    pub cutoff: f32,
+    /// [`Material::CASTS`] and the other flags.
+    pub flags: u32,
+    /// Coverage texture: first byte in the alpha texels (in texels, 4 to a word).
+    pub alpha_offset: u32,
+    /// Coverage texture: width in the low, height in the high 16 bits; 0 if none.
+    pub alpha_size: u32,
+    /// Colour texture: first word in the colour texels.
+    pub color_offset: u32,
+    /// Colour texture: width in the low, height in the high 16 bits; 0 if none.
+    pub color_size: u32,
+    /// Explicit padding.
+    pub pad: UVec2,
+}
+
+impl Material {
+    /// Flag: blocks light.
+    pub const CASTS: u32 = 1;
+    /// Flag: shadows fall on it.
+    pub const RECEIVES: u32 = 2;
+    /// Flag: nearest texel instead of bilinear.
+    pub const NEAREST: u32 = 4;
+    /// Bit where the wrap mode along u starts (two bits: [`Material::REPEAT`] …).
+    pub const WRAP_U_SHIFT: u32 = 4;
+    /// Bit where the wrap mode along v starts.
+    pub const WRAP_V_SHIFT: u32 = 6;
+    /// Wrap mode: periodic.
+    pub const REPEAT: u32 = 0;
+    /// Wrap mode: periodic, every other copy reversed.
+    pub const MIRROR: u32 = 1;
+    /// Wrap mode: the edge texel goes on.
+    pub const CLAMP: u32 = 2;
+}
+
+/// Sun, sky and tone for the shading pass.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ShadeParams {
+    /// Camera, for the sky behind.
+    pub camera: CameraParams,
+    /// See [`ShadowParams::light`].
+    pub light: Vec4,
+    /// Linear RGB of the light; `w` unused.
+    pub light_color: Vec4,
+}
+
+/// One triangle range of the depth map pass.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct DepthParams {
+    /// World to light map.
+    pub projection: LightProjection,
+    /// Map size in texels (square).
+    pub map_size: u32,
+    /// Explicit padding: a scalar, because uniform arrays would need a stride of 16.
+    pub pad0: u32,
+    /// Explicit padding.
+    pub pad1: u32,
+    /// Explicit padding.
+    pub pad2: u32,
+}
+
+/// One separable blur pass over a map of depth vectors.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct FilterParams {
+    /// Parameters of the shadow test, as in [`ShadowParams::test`].
+    pub test: Vec4,
+    /// Map size in texels (square).
+    pub map_size: u32,
+    /// Standard deviation of the Gaussian, texels.
+    pub sigma: f32,
+    /// Explicit padding.
+    pub pad: UVec2,
+}
+
+/// What the indirect dispatch of the resolve pass reads: workgroup counts, then the number of doubted pixels.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+pub struct DoubtHeader {
+    /// Workgroups along x, y and z.
+    pub workgroups: [u32; 3],
+    /// Doubted pixels listed.
+    pub count: u32,
+}
+
+const _: () = {
+    assert!(size_of::<Sample>() == 48);
+    assert!(size_of::<CameraParams>() == 80);
+    assert!(size_of::<ShadowParams>() == 128);
+    assert!(size_of::<Vertex>() == 20);
+    assert!(size_of::<Material>() == 48);
+    assert!(size_of::<ShadeParams>() == 112);
+    assert!(size_of::<DepthParams>() == 80);
+    assert!(size_of::<FilterParams>() == 32);
+    assert!(size_of::<DoubtHeader>() == 16);
+};

@@ -1,0 +1,110 @@
+//! Depth map: vertices pulled from the tree's own triangles, and a fragment stage only where casters have holes.
+
+use lt_bvh::{Instance, Triangle};
+use lt_math::glam::{Vec4, Vec4Swizzles};
+use spirv_std::{arch::kill, spirv};
+
+use crate::{
+    abi::{DepthParams, Material, Vertex},
+    depth::{clip_position, corner, map_position, placed_corner, weights_at},
+    surface::{blocks, corners_of},
+};
+
+/// Casters in world space.
+#[spirv(vertex)]
+pub fn depth_vs(
+    #[spirv(vertex_index)] vertex: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(position)] position: &mut Vec4,
+) {
+    *position = clip_position(&p.projection, corner(&triangles[(vertex / 3) as usize], vertex % 3));
+}
+
+/// Placed casters.
+#[spirv(vertex)]
+pub fn depth_instanced_vs(
+    #[spirv(vertex_index)] vertex: u32,
+    #[spirv(instance_index)] instance: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] instances: &[Instance],
+    #[spirv(position)] position: &mut Vec4,
+) {
+    let world = placed_corner(&triangles[(vertex / 3) as usize], vertex % 3, &instances[instance as usize]);
+    *position = clip_position(&p.projection, world);
+}
+
+/// Casters with holes, in world space.
+#[spirv(vertex)]
+pub fn depth_alpha_vs(
+    #[spirv(vertex_index)] vertex: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(position)] position: &mut Vec4,
+    #[spirv(location = 0, flat)] triangle: &mut u32,
+) {
+    *triangle = vertex / 3;
+    *position = clip_position(&p.projection, corner(&triangles[(vertex / 3) as usize], vertex % 3));
+}
+
+/// Placed casters with holes.
+#[spirv(vertex)]
+pub fn depth_instanced_alpha_vs(
+    #[spirv(vertex_index)] vertex: u32,
+    #[spirv(instance_index)] instance: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] instances: &[Instance],
+    #[spirv(position)] position: &mut Vec4,
+    #[spirv(location = 0, flat)] triangle: &mut u32,
+    #[spirv(location = 1, flat)] placed: &mut u32,
+) {
+    *triangle = vertex / 3;
+    *placed = instance;
+    let world = placed_corner(&triangles[(vertex / 3) as usize], vertex % 3, &instances[instance as usize]);
+    *position = clip_position(&p.projection, world);
+}
+
+/// Cuts holes, in world space.
+#[spirv(fragment)]
+pub fn depth_alpha_fs(
+    #[spirv(frag_coord)] at: Vec4,
+    #[spirv(location = 0, flat)] triangle: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] vertices: &[Vertex],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] materials: &[Material],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] alpha_texels: &[u32],
+) {
+    let t = triangles[triangle as usize];
+    let place = |i| map_position(&p.projection, corner(&t, i), p.map_size);
+    let weights = weights_at(at.xy(), &[place(0), place(1), place(2)]);
+    let corners = corners_of(&t, vertices);
+    if !blocks(&materials[corners[0].material as usize], &corners, weights, alpha_texels) {
+        kill();
+    }
+}
+
+/// Cuts holes in placed casters.
+#[spirv(fragment)]
+pub fn depth_instanced_alpha_fs(
+    #[spirv(frag_coord)] at: Vec4,
+    #[spirv(location = 0, flat)] triangle: u32,
+    #[spirv(location = 1, flat)] placed: u32,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &DepthParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] instances: &[Instance],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] vertices: &[Vertex],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] materials: &[Material],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] alpha_texels: &[u32],
+) {
+    let t = triangles[triangle as usize];
+    let instance = instances[placed as usize];
+    let place = |i| map_position(&p.projection, placed_corner(&t, i, &instance), p.map_size);
+    let weights = weights_at(at.xy(), &[place(0), place(1), place(2)]);
+    let corners = corners_of(&t, vertices);
+    if !blocks(&materials[corners[0].material as usize], &corners, weights, alpha_texels) {
+        kill();
+    }
+}

@@ -1,0 +1,94 @@
+//! Resolve pass: every light-facing pixel, or the doubted ones of a list; instances × alpha test.
+
+use lt_bvh::{Instance, Node, Opaque, Triangle};
+use lt_math::glam::UVec3;
+use spirv_std::spirv;
+
+use super::pixel_index;
+use crate::{
+    abi::{Material, Sample, ShadowParams, Vertex},
+    doubt::LIST_START,
+    evaluate::settle,
+    geometry::{FlatGeometry, InstancedGeometry},
+    resolve::trace_visibility,
+    surface::Coverage,
+};
+
+macro_rules! geometry {
+    ($p:ident, $n:ident, $t:ident, $i:ident $b:literal) => {
+        InstancedGeometry { nodes: $n, triangles: $t, instances: $i, root: $p.root }
+    };
+    ($p:ident, $n:ident, $t:ident) => {
+        FlatGeometry { nodes: $n, triangles: $t }
+    };
+}
+
+macro_rules! any_hit {
+    ($t:ident, $v:ident $bv:literal, $m:ident $bm:literal, $a:ident $ba:literal) => {
+        Coverage { triangles: $t, vertices: $v, materials: $m, alpha_texels: $a, required_flags: Material::CASTS }
+    };
+    ($t:ident) => {
+        Opaque
+    };
+}
+
+macro_rules! resolve_entries {
+    ($all:ident, $list:ident; instances: [$($i0:literal, $i1:literal)?],
+     alpha: [$($v0:literal $m0:literal $a0:literal, $v1:literal $m1:literal $a1:literal)?]) => {
+        /// Traces every light-facing pixel.
+        #[spirv(compute(threads(8, 8)))]
+        pub fn $all(
+            #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &ShadowParams,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] samples: &[Sample],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &[Node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[Triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] visibility: &mut [f32],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $i0)] instances: &[Instance],)?
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $v0)] vertices: &[Vertex],
+              #[spirv(storage_buffer, descriptor_set = 0, binding = $m0)] materials: &[Material],
+              #[spirv(storage_buffer, descriptor_set = 0, binding = $a0)] alpha_texels: &[u32],)?
+        ) {
+            if let Some(i) = pixel_index(id, p.size) {
+                let sample = samples[i];
+                let (verdict, is_settled) = settle(&sample, p.light);
+                let geometry = geometry!(p, nodes, triangles $(, instances $i0)?);
+                let any_hit = any_hit!(triangles $(, vertices $v0, materials $m0, alpha_texels $a0)?);
+                visibility[i] = if is_settled {
+                    verdict.visibility
+                } else {
+                    trace_visibility(&sample, p.light, geometry, any_hit)
+                };
+            }
+        }
+
+        /// Traces the listed pixels.
+        #[spirv(compute(threads(64)))]
+        pub fn $list(
+            #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &ShadowParams,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] samples: &[Sample],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &[Node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[Triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] visibility: &mut [f32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] list: &[u32],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $i1)] instances: &[Instance],)?
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $v1)] vertices: &[Vertex],
+              #[spirv(storage_buffer, descriptor_set = 0, binding = $m1)] materials: &[Material],
+              #[spirv(storage_buffer, descriptor_set = 0, binding = $a1)] alpha_texels: &[u32],)?
+        ) {
+            if id.x < list[3] {
+                let i = list[(id.x + LIST_START) as usize] as usize;
+                let geometry = geometry!(p, nodes, triangles $(, instances $i1)?);
+                let any_hit = any_hit!(triangles $(, vertices $v1, materials $m1, alpha_texels $a1)?);
+                visibility[i] = trace_visibility(&samples[i], p.light, geometry, any_hit);
+            }
+        }
+    };
+}
+
+resolve_entries!(resolve_all_cs, resolve_list_cs; instances: [], alpha: []);
+resolve_entries!(resolve_all_alpha_cs, resolve_list_alpha_cs; instances: [], alpha: [5 6 7, 6 7 8]);
+resolve_entries!(resolve_all_instanced_cs, resolve_list_instanced_cs; instances: [5, 6], alpha: []);
+resolve_entries!(resolve_all_instanced_alpha_cs, resolve_list_instanced_alpha_cs;
+    instances: [5, 6], alpha: [6 7 8, 7 8 9]);

@@ -1,0 +1,24 @@
+//! Shading pass.
+
+use lt_math::glam::{UVec3, Vec3Swizzles};
+use spirv_std::spirv;
+
+use super::pixel_index;
+use crate::{
+    abi::{Sample, ShadeParams},
+    shade::shade,
+};
+
+/// One picture word per pixel.
+#[spirv(compute(threads(8, 8)))]
+pub fn shade_cs(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &ShadeParams,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] samples: &[Sample],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] visibility: &[f32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] picture: &mut [u32],
+) {
+    if let Some(i) = pixel_index(id, p.camera.size) {
+        picture[i] = shade(id.xy(), &samples[i], visibility[i], p);
+    }
+}

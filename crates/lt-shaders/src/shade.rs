@@ -1,0 +1,102 @@
+//! Shading good enough to look at: sun times visibility, sky from above, haze with distance.
+
+use lt_math::glam::{UVec2, Vec3};
+
+use crate::{
+    abi::{Sample, ShadeParams},
+    camera::view_direction,
+};
+
+/// Sky at the horizon and at the zenith, linear RGB.
+const HORIZON: Vec3 = Vec3::new(0.72, 0.80, 0.90);
+const ZENITH: Vec3 = Vec3::new(0.22, 0.42, 0.78);
+/// Light bounced from the ground, linear RGB.
+const BOUNCE: Vec3 = Vec3::new(0.16, 0.14, 0.12);
+/// Share of the sky that reaches a surface.
+const SKY_STRENGTH: f32 = 0.42;
+
+/// Colour of one pixel, sRGB in three bytes from the lowest, alpha 255.
+pub fn shade(px: UVec2, sample: &Sample, visibility: f32, p: &ShadeParams) -> u32 {
+    let view = view_direction(px, &p.camera);
+    if !sample.is_valid() {
+        return pack_srgb(sky(view));
+    }
+    let n = sample.shading_normal;
+    let to_light = (p.light.truncate() - sample.position * p.light.w).normalize();
+    let facing = n.dot(to_light);
+    let sun = p.light_color.truncate() * if facing > 0.0 { facing * visibility } else { 0.0 };
+    let up = 0.5 + 0.5 * n.y;
+    let ambient = (HORIZON.lerp(ZENITH, 0.4) * up + BOUNCE * (1.0 - up)) * SKY_STRENGTH;
+    // A little form in the shade: surfaces seen edge-on receive less sky.
+    let form = 0.8 + 0.2 * n.dot(-view).abs();
+    let lit = unpack_albedo(sample.albedo) * (sun + ambient * form);
+    let distance = (sample.position - p.camera.eye).length();
+    let haze = 1.0 - 1.0 / (1.0 + distance * p.light_color.w);
+    pack_srgb(lit.lerp(HORIZON, haze))
+}
+
+fn sky(view: Vec3) -> Vec3 {
+    let height = if view.y > 0.0 { view.y } else { 0.0 };
+    HORIZON.lerp(ZENITH, 1.0 - (1.0 - height) * (1.0 - height))
+}
+
+/// Linear RGB in [0, 1] to the albedo word of a [`Sample`]: three bytes of square roots.
+pub fn pack_albedo(linear: Vec3) -> u32 {
+    pack_bytes(Vec3::new(sqrt(unit(linear.x)), sqrt(unit(linear.y)), sqrt(unit(linear.z))))
+}
+
+fn unpack_albedo(word: u32) -> Vec3 {
+    let root = crate::texture::unorm_bytes(word).truncate();
+    root * root
+}
+
+fn pack_srgb(linear: Vec3) -> u32 {
+    pack_bytes(Vec3::new(srgb(linear.x), srgb(linear.y), srgb(linear.z))) | 0xff00_0000
+}
+
+fn pack_bytes(v: Vec3) -> u32 {
+    (v.x * 255.0 + 0.5) as u32 | ((v.y * 255.0 + 0.5) as u32) << 8 | ((v.z * 255.0 + 0.5) as u32) << 16
+}
+
+/// sRGB encoding within 0.002 by roots alone, so that CPU and GPU agree on the bits.
+fn srgb(linear: f32) -> f32 {
+    let x = unit(linear);
+    let (r2, r4) = (sqrt(x), sqrt(sqrt(x)));
+    unit(0.662_002_7 * r2 + 0.684_122_06 * r4 - 0.323_583_6 * sqrt(r4) - 0.022_541_147 * x)
+}
+
+/// Into [0, 1]; NaN becomes 0.
+fn unit(x: f32) -> f32 {
+    if x > 0.0 {
+        if x < 1.0 { x } else { 1.0 }
+    } else {
+        0.0
+    }
+}
+
+fn sqrt(x: f32) -> f32 {
+    lt_math::float::sqrt(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_root_formula_is_close_to_srgb() {
+        for i in 0..=1000 {
+            let x = i as f64 / 1000.0;
+            let exact = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
+            assert!((f64::from(srgb(x as f32)) - exact).abs() < 0.008, "{x}");
+        }
+    }
+
+    #[test]
+    fn albedo_survives_packing_within_a_byte() {
+        for i in 0..=255u32 {
+            let root = i as f32 / 255.0;
+            assert_eq!(pack_albedo(Vec3::splat(root * root)) & 255, i);
+        }
+        assert_eq!(pack_albedo(Vec3::new(f32::NAN, -1.0, 2.0)), 255 << 16);
+    }
+}

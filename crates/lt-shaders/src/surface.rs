@@ -1,0 +1,157 @@
+//! Surfaces at a hit: coverage (the alpha test inside the traversal), colour, shading normal.
+
+use lt_bvh::{AnyHit, Triangle};
+use lt_math::glam::{Vec2, Vec3, Vec4};
+
+use crate::{
+    abi::{Material, Vertex},
+    texture::{TextureView, unorm_byte, unorm_bytes},
+};
+
+/// The vertices of a triangle blended at a point.
+pub fn texture_coordinate(corners: &[Vertex; 3], weights: Vec3) -> Vec2 {
+    Vec2::new(corners[0].u, corners[0].v) * weights.x
+        + Vec2::new(corners[1].u, corners[1].v) * weights.y
+        + Vec2::new(corners[2].u, corners[2].v) * weights.z
+}
+
+/// Vertex colour blended at a point, linear RGBA.
+pub fn vertex_color(corners: &[Vertex; 3], weights: Vec3) -> Vec4 {
+    unorm_bytes(corners[0].color) * weights.x
+        + unorm_bytes(corners[1].color) * weights.y
+        + unorm_bytes(corners[2].color) * weights.z
+}
+
+/// Weights of the three vertices from barycentric u and v.
+pub fn barycentric_weights(u: f32, v: f32) -> Vec3 {
+    Vec3::new(1.0 - u - v, u, v)
+}
+
+/// The vertices of a triangle.
+pub fn corners_of(triangle: &Triangle, vertices: &[Vertex]) -> [Vertex; 3] {
+    let indices = triangle.indices();
+    [vertices[indices[0] as usize], vertices[indices[1] as usize], vertices[indices[2] as usize]]
+}
+
+/// Whether a surface covers a point: factor × texture × vertex alpha against the cut-off (glTF 2.0, §3.9.4).
+pub fn covers(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_texels: &[u32]) -> bool {
+    if material.cutoff <= 0.0 {
+        return true;
+    }
+    let mut alpha = material.base_color.w * vertex_color(corners, weights).w;
+    if material.alpha_size != 0 {
+        let view =
+            TextureView { offset: material.alpha_offset, size: material.alpha_size, flags: material.flags };
+        let quad = view.quad(texture_coordinate(corners, weights));
+        alpha *= unorm_byte(alpha_texels, quad.indices[0]) * quad.weights.x
+            + unorm_byte(alpha_texels, quad.indices[1]) * quad.weights.y
+            + unorm_byte(alpha_texels, quad.indices[2]) * quad.weights.z
+            + unorm_byte(alpha_texels, quad.indices[3]) * quad.weights.w;
+    }
+    alpha >= material.cutoff
+}
+
+/// Whether a surface blocks light at a point: it casts, and it covers the point.
+pub fn blocks(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_texels: &[u32]) -> bool {
+    material.flags & Material::CASTS != 0 && covers(material, corners, weights, alpha_texels)
+}
+
+/// Alpha test for traversal: which hits count, for rays of one purpose.
+#[derive(Clone, Copy)]
+pub struct Coverage<'a> {
+    /// Triangles in leaf order.
+    pub triangles: &'a [Triangle],
+    /// Vertex attributes.
+    pub vertices: &'a [Vertex],
+    /// Materials.
+    pub materials: &'a [Material],
+    /// Coverage texels, four to a word.
+    pub alpha_texels: &'a [u32],
+    /// A surface counts only if its flags hold all of these: [`Material::CASTS`] for shadow rays, 0 for camera rays.
+    pub required_flags: u32,
+}
+
+impl AnyHit for Coverage<'_> {
+    fn accepts(&self, triangle: u32, u: f32, v: f32) -> bool {
+        let corners = corners_of(&self.triangles[triangle as usize], self.vertices);
+        let material = self.materials[corners[0].material as usize];
+        material.flags & self.required_flags == self.required_flags
+            && covers(&material, &corners, barycentric_weights(u, v), self.alpha_texels)
+    }
+}
+
+/// Colour of a surface without texture, linear RGB.
+pub fn plain_color(material: &Material, corners: &[Vertex; 3], weights: Vec3) -> Vec3 {
+    material.base_color.truncate() * vertex_color(corners, weights).truncate()
+}
+
+/// Colour of the surface's texture at a point, linear RGB (decoded from sRGB by squaring); white without one.
+pub fn texture_color(material: &Material, corners: &[Vertex; 3], weights: Vec3, color_texels: &[u32]) -> Vec3 {
+    if material.color_size == 0 {
+        return Vec3::ONE;
+    }
+    let view = TextureView { offset: material.color_offset, size: material.color_size, flags: material.flags };
+    let quad = view.quad(texture_coordinate(corners, weights));
+    let encoded = unorm_bytes(color_texels[quad.indices[0] as usize]) * quad.weights.x
+        + unorm_bytes(color_texels[quad.indices[1] as usize]) * quad.weights.y
+        + unorm_bytes(color_texels[quad.indices[2] as usize]) * quad.weights.z
+        + unorm_bytes(color_texels[quad.indices[3] as usize]) * quad.weights.w;
+    let rgb = encoded.truncate();
+    rgb * rgb
+}
+
+/// A unit vector from its octahedral encoding (Cigolle et al. 2014): two 16-bit signed fractions.
+pub fn octahedral_decode(word: u32) -> Vec3 {
+    let x = ((word << 16) as i32 >> 16) as f32 * (1.0 / 32767.0);
+    let y = (word as i32 >> 16) as f32 * (1.0 / 32767.0);
+    let z = 1.0 - x.abs() - y.abs();
+    let folded = if z < 0.0 { -z } else { 0.0 };
+    let shift = |c: f32| if c < 0.0 { c + folded } else { c - folded };
+    Vec3::new(shift(x), shift(y), z).normalize()
+}
+
+/// The octahedral encoding of a unit vector; see [`octahedral_decode`]. Never yields [`Vertex::NO_NORMAL`].
+#[cfg(not(target_arch = "spirv"))]
+pub fn octahedral_encode(n: Vec3) -> u32 {
+    let n = n / (n.x.abs() + n.y.abs() + n.z.abs());
+    let (mut x, mut y) = (n.x, n.y);
+    if n.z < 0.0 {
+        (x, y) = ((1.0 - n.y.abs()).copysign(n.x), (1.0 - n.x.abs()).copysign(n.y));
+    }
+    let quantise = |c: f32| (lt_math::float::floor(c * 32767.0 + 0.5) as i32).clamp(-32767, 32767) as u32 & 0xffff;
+    quantise(x) | quantise(y) << 16
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn octahedral_normals_survive_within_a_ten_thousandth() {
+        for i in 0..5000u32 {
+            let a = i as f32 * 2.399_963;
+            let z = 1.0 - 2.0 * (i as f32 + 0.5) / 5000.0;
+            let r = (1.0 - z * z).sqrt();
+            let n = Vec3::new(r * a.cos(), r * a.sin(), z);
+            let word = octahedral_encode(n);
+            assert_ne!(word, Vertex::NO_NORMAL);
+            assert!((octahedral_decode(word) - n).length() < 1e-4, "{n}");
+        }
+    }
+
+    #[test]
+    fn coverage_is_factor_times_texture_times_vertex_alpha() {
+        let corner = Vertex { color: 0xffff_ffff, ..Vertex::default() };
+        let half = Vertex { color: 0x80ff_ffff, ..Vertex::default() };
+        let mut material = Material { base_color: Vec4::ONE, cutoff: 0.5, ..Material::default() };
+        let centre = Vec3::splat(1.0 / 3.0);
+        assert!(covers(&material, &[corner; 3], centre, &[]));
+        material.base_color.w = 0.9;
+        assert!(!covers(&material, &[half; 3], centre, &[]));
+        material.alpha_size = 1 | 1 << 16;
+        assert!(covers(&material, &[corner; 3], centre, &[255]));
+        assert!(!covers(&material, &[corner; 3], centre, &[100]));
+        material.cutoff = 0.0;
+        assert!(covers(&material, &[half; 3], centre, &[0]));
+    }
+}
