@@ -7,38 +7,59 @@ var<private> _id_1: vec3<u32>;
 var<storage, read_write> list: type_3;
 
 fn function_() {
-    var phi_47_: u32;
+    var phi_49_: u32;
+    var phi_54_: u32;
+    var phi_70_: u32;
 
-    let _e10 = arrayLength((&list.member));
-    if (3u < _e10) {
+    let _e11 = arrayLength((&list.member));
+    if (3u < _e11) {
     } else {
         return;
     }
-    let _e13 = list.member[3u];
+    let _e14 = list.member[3u];
     if (64u == 0u) {
         return;
     }
-    let _e15 = (_e13 / 64u);
+    let _e16 = (_e14 / 64u);
     if (64u == 0u) {
         return;
     }
-    if ((_e13 % 64u) > 0u) {
-        phi_47_ = (_e15 + 1u);
+    if ((_e14 % 64u) > 0u) {
+        phi_49_ = (_e16 + 1u);
     } else {
-        phi_47_ = _e15;
+        phi_49_ = _e16;
     }
-    let _e21 = phi_47_;
-    if (0u < _e10) {
+    let _e22 = phi_49_;
+    if (32768u < _e22) {
+        phi_54_ = 32768u;
+    } else {
+        phi_54_ = _e22;
+    }
+    let _e25 = phi_54_;
+    if (32768u == 0u) {
+        return;
+    }
+    let _e27 = (_e22 / 32768u);
+    if (32768u == 0u) {
+        return;
+    }
+    if ((_e22 % 32768u) > 0u) {
+        phi_70_ = (_e27 + 1u);
+    } else {
+        phi_70_ = _e27;
+    }
+    let _e33 = phi_70_;
+    if (0u < _e11) {
     } else {
         return;
     }
-    list.member[0u] = _e21;
-    if (1u < _e10) {
+    list.member[0u] = _e25;
+    if (1u < _e11) {
     } else {
         return;
     }
-    list.member[1u] = 1u;
-    if (2u < _e10) {
+    list.member[1u] = _e33;
+    if (2u < _e11) {
     } else {
         return;
     }

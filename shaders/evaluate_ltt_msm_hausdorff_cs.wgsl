@@ -226,152 +226,152 @@ fn lt_math_hausdorff_cubic_mass(param_10: vec4<f32>, param_11: f32, param_12: f3
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_15: ptr<function, hankel_HankelFactors>, param_16: f32) -> f32 {
-    var phi_660_: f32;
-    var phi_661_: f32;
-    var phi_662_: f32;
-    var phi_688_: f32;
-    var phi_689_: f32;
-    var phi_690_: f32;
-    var phi_691_: f32;
-    var phi_692_: bool;
-    var phi_693_: f32;
-    var phi_694_: bool;
-    var phi_722_: f32;
-    var phi_723_: f32;
-    var phi_724_: f32;
-    var phi_725_: f32;
-    var phi_726_: bool;
-    var phi_727_: f32;
-    var phi_728_: bool;
-    var phi_735_: f32;
-    var phi_736_: f32;
-    var phi_737_: f32;
-    var phi_738_: f32;
+    var phi_883_: f32;
+    var phi_884_: f32;
+    var phi_885_: f32;
+    var phi_912_: f32;
+    var phi_913_: f32;
+    var phi_914_: f32;
+    var phi_915_: f32;
+    var phi_916_: bool;
+    var phi_917_: f32;
+    var phi_918_: bool;
+    var phi_946_: f32;
+    var phi_947_: f32;
+    var phi_948_: f32;
+    var phi_949_: f32;
+    var phi_950_: bool;
+    var phi_951_: f32;
+    var phi_952_: bool;
+    var phi_959_: f32;
+    var phi_960_: f32;
+    var phi_961_: f32;
+    var phi_962_: f32;
 
     let _e39 = (*param_15).moments;
     if (param_16 <= 0f) {
-        phi_738_ = 1f;
+        phi_962_ = 1f;
     } else {
         let _e48 = ((_e39.z - ((1f + param_16) * _e39.y)) + (param_16 * _e39.x));
         let _e57 = (((_e39.w - ((1f + param_16) * _e39.z)) + (param_16 * _e39.y)) / _e48);
         if (abs(_e48) <= 0.00000047683716f) {
             let _e71 = (1f - (((_e39.y - (_e39.x * (param_16 + 1f))) + (param_16 * 1f)) / ((0f - param_16) * (0f - 1f))));
             if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-                phi_662_ = _e71;
+                phi_885_ = _e71;
             } else {
                 if (_e71 < 0f) {
-                    phi_661_ = 0f;
+                    phi_884_ = 0f;
                 } else {
                     if (_e71 > 1f) {
-                        phi_660_ = 1f;
+                        phi_883_ = 1f;
                     } else {
-                        phi_660_ = _e71;
+                        phi_883_ = _e71;
                     }
-                    let _e78 = phi_660_;
-                    phi_661_ = _e78;
+                    let _e78 = phi_883_;
+                    phi_884_ = _e78;
                 }
-                let _e80 = phi_661_;
-                phi_662_ = _e80;
+                let _e80 = phi_884_;
+                phi_885_ = _e80;
             }
-            let _e82 = phi_662_;
-            phi_737_ = _e82;
+            let _e82 = phi_885_;
+            phi_961_ = _e82;
         } else {
             if (_e57 > 0f) {
                 if (_e57 < param_16) {
-                    let _e85 = lt_math_hausdorff_cubic_mass(_e39, param_16, 0f, _e57, 1f);
-                    let _e86 = lt_math_hausdorff_cubic_mass(_e39, 1f, 0f, _e57, param_16);
-                    let _e87 = (_e85 + _e86);
-                    if ((bitcast<u32>(_e87) & 2147483647u) > 2139095040u) {
-                        phi_690_ = _e87;
+                    let _e85 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_16, 1f);
+                    let _e87 = lt_math_hausdorff_cubic_mass(_e39, _e57, 0f, param_16, 1f);
+                    let _e88 = ((1f - _e85) - _e87);
+                    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
+                        phi_914_ = _e88;
                     } else {
-                        if (_e87 < 0f) {
-                            phi_689_ = 0f;
+                        if (_e88 < 0f) {
+                            phi_913_ = 0f;
                         } else {
-                            if (_e87 > 1f) {
-                                phi_688_ = 1f;
+                            if (_e88 > 1f) {
+                                phi_912_ = 1f;
                             } else {
-                                phi_688_ = _e87;
+                                phi_912_ = _e88;
                             }
-                            let _e94 = phi_688_;
-                            phi_689_ = _e94;
+                            let _e95 = phi_912_;
+                            phi_913_ = _e95;
                         }
-                        let _e96 = phi_689_;
-                        phi_690_ = _e96;
+                        let _e97 = phi_913_;
+                        phi_914_ = _e97;
                     }
-                    let _e98 = phi_690_;
-                    phi_691_ = _e98;
-                    phi_692_ = false;
+                    let _e99 = phi_914_;
+                    phi_915_ = _e99;
+                    phi_916_ = false;
                 } else {
-                    phi_691_ = f32();
-                    phi_692_ = true;
+                    phi_915_ = f32();
+                    phi_916_ = true;
                 }
-                let _e100 = phi_691_;
-                let _e102 = phi_692_;
-                phi_693_ = _e100;
-                phi_694_ = _e102;
+                let _e101 = phi_915_;
+                let _e103 = phi_916_;
+                phi_917_ = _e101;
+                phi_918_ = _e103;
             } else {
-                phi_693_ = f32();
-                phi_694_ = true;
+                phi_917_ = f32();
+                phi_918_ = true;
             }
-            let _e104 = phi_693_;
-            let _e106 = phi_694_;
-            if _e106 {
+            let _e105 = phi_917_;
+            let _e107 = phi_918_;
+            if _e107 {
                 if (_e57 > param_16) {
                     if (_e57 < 1f) {
-                        let _e109 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_16, 1f);
-                        let _e110 = (1f - _e109);
-                        if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                            phi_724_ = _e110;
+                        let _e110 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_16, 1f);
+                        let _e111 = (1f - _e110);
+                        if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
+                            phi_948_ = _e111;
                         } else {
-                            if (_e110 < 0f) {
-                                phi_723_ = 0f;
+                            if (_e111 < 0f) {
+                                phi_947_ = 0f;
                             } else {
-                                if (_e110 > 1f) {
-                                    phi_722_ = 1f;
+                                if (_e111 > 1f) {
+                                    phi_946_ = 1f;
                                 } else {
-                                    phi_722_ = _e110;
+                                    phi_946_ = _e111;
                                 }
-                                let _e117 = phi_722_;
-                                phi_723_ = _e117;
+                                let _e118 = phi_946_;
+                                phi_947_ = _e118;
                             }
-                            let _e119 = phi_723_;
-                            phi_724_ = _e119;
+                            let _e120 = phi_947_;
+                            phi_948_ = _e120;
                         }
-                        let _e121 = phi_724_;
-                        phi_725_ = _e121;
-                        phi_726_ = false;
+                        let _e122 = phi_948_;
+                        phi_949_ = _e122;
+                        phi_950_ = false;
                     } else {
-                        phi_725_ = f32();
-                        phi_726_ = true;
+                        phi_949_ = f32();
+                        phi_950_ = true;
                     }
-                    let _e123 = phi_725_;
-                    let _e125 = phi_726_;
-                    phi_727_ = _e123;
-                    phi_728_ = _e125;
+                    let _e124 = phi_949_;
+                    let _e126 = phi_950_;
+                    phi_951_ = _e124;
+                    phi_952_ = _e126;
                 } else {
-                    phi_727_ = f32();
-                    phi_728_ = true;
+                    phi_951_ = f32();
+                    phi_952_ = true;
                 }
-                let _e127 = phi_727_;
-                let _e129 = phi_728_;
-                if _e129 {
-                    phi_735_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
+                let _e128 = phi_951_;
+                let _e130 = phi_952_;
+                if _e130 {
+                    phi_959_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
                 } else {
-                    phi_735_ = _e127;
+                    phi_959_ = _e128;
                 }
-                let _e134 = phi_735_;
-                phi_736_ = _e134;
+                let _e135 = phi_959_;
+                phi_960_ = _e135;
             } else {
-                phi_736_ = _e104;
+                phi_960_ = _e105;
             }
-            let _e136 = phi_736_;
-            phi_737_ = _e136;
+            let _e137 = phi_960_;
+            phi_961_ = _e137;
         }
-        let _e138 = phi_737_;
-        phi_738_ = _e138;
+        let _e139 = phi_961_;
+        phi_962_ = _e139;
     }
-    let _e140 = phi_738_;
-    return _e140;
+    let _e141 = phi_962_;
+    return _e141;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_17: ptr<function, f32>, param_18: vec4<f32>, param_19: f32) -> f32 {
@@ -379,23 +379,50 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     var phi_387_: f32;
     var phi_388_: f32;
     var phi_389_: f32;
-    var phi_442_: vec2<f32>;
-    var phi_505_: vec2<f32>;
-    var phi_543_: f32;
-    var phi_544_: f32;
-    var phi_545_: f32;
-    var phi_578_: f32;
-    var phi_579_: f32;
-    var phi_580_: f32;
-    var phi_584_: f32;
-    var phi_585_: f32;
-    var phi_586_: f32;
-    var phi_587_: f32;
-    var phi_588_: bool;
-    var phi_589_: f32;
-    var phi_590_: bool;
-    var phi_601_: f32;
-    var phi_602_: f32;
+    var phi_427_: f32;
+    var phi_428_: f32;
+    var phi_429_: f32;
+    var phi_430_: f32;
+    var phi_431_: bool;
+    var phi_432_: f32;
+    var phi_433_: bool;
+    var phi_489_: vec2<f32>;
+    var phi_527_: f32;
+    var phi_528_: f32;
+    var phi_529_: f32;
+    var phi_562_: f32;
+    var phi_563_: f32;
+    var phi_564_: f32;
+    var phi_568_: f32;
+    var phi_569_: f32;
+    var phi_570_: f32;
+    var phi_571_: f32;
+    var phi_624_: vec2<f32>;
+    var phi_664_: f32;
+    var phi_665_: f32;
+    var phi_666_: f32;
+    var phi_667_: f32;
+    var phi_668_: bool;
+    var phi_669_: f32;
+    var phi_670_: bool;
+    var phi_726_: vec2<f32>;
+    var phi_764_: f32;
+    var phi_765_: f32;
+    var phi_766_: f32;
+    var phi_799_: f32;
+    var phi_800_: f32;
+    var phi_801_: f32;
+    var phi_805_: f32;
+    var phi_806_: f32;
+    var phi_807_: f32;
+    var phi_808_: f32;
+    var phi_809_: f32;
+    var phi_810_: bool;
+    var phi_811_: f32;
+    var phi_812_: bool;
+    var phi_823_: f32;
+    var phi_824_: f32;
+    var phi_825_: f32;
 
     let _e40 = (*param_17);
     let _e41 = (1f - _e40);
@@ -427,135 +454,311 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     }
     let _e81 = phi_389_;
     let _e84 = local_1.moments[0u];
-    let _e87 = local_1.moments[1u];
-    let _e95 = local_1.l32_d22_;
-    let _e97 = local_1.d22_;
-    let _e98 = (_e95 / _e97);
-    let _e99 = (_e81 - _e84);
-    let _e105 = local_1.d22_;
-    let _e108 = local_1.d33_d22_;
-    let _e109 = (((((_e81 * _e81) - _e87) - (_e98 * _e99)) * _e105) / _e108);
-    let _e111 = local_1.d22_;
-    let _e114 = ((_e99 / _e111) - (_e98 * _e109));
-    let _e120 = ((0.5f * _e114) / _e109);
-    let _e123 = ((_e120 * _e120) - (((1f - (_e114 * _e84)) - (_e109 * _e87)) / _e109));
-    if (_e123 >= 0f) {
-        let _e125 = sqrt(_e123);
-        phi_442_ = vec2<f32>((-(_e120) - _e125), (-(_e120) + _e125));
-    } else {
-        phi_442_ = vec2(bitcast<f32>((bitcast<u32>(_e123) | 2143289344u)));
-    }
-    let _e136 = phi_442_;
-    if (_e136.x >= 0f) {
-        if (_e136.y <= 1f) {
-            let _e143 = local_1.moments[0u];
-            let _e146 = local_1.moments[1u];
-            let _e154 = local_1.l32_d22_;
-            let _e156 = local_1.d22_;
-            let _e157 = (_e154 / _e156);
-            let _e158 = (_e81 - _e143);
-            let _e164 = local_1.d22_;
-            let _e167 = local_1.d33_d22_;
-            let _e168 = (((((_e81 * _e81) - _e146) - (_e157 * _e158)) * _e164) / _e167);
-            let _e170 = local_1.d22_;
-            let _e173 = ((_e158 / _e170) - (_e157 * _e168));
-            let _e179 = ((0.5f * _e173) / _e168);
-            let _e182 = ((_e179 * _e179) - (((1f - (_e173 * _e143)) - (_e168 * _e146)) / _e168));
-            if (_e182 >= 0f) {
-                let _e184 = sqrt(_e182);
-                phi_505_ = vec2<f32>((-(_e179) - _e184), (-(_e179) + _e184));
-            } else {
-                phi_505_ = vec2(bitcast<f32>((bitcast<u32>(_e182) | 2143289344u)));
-            }
-            let _e195 = phi_505_;
-            if (_e81 <= _e195.x) {
-                phi_586_ = 1f;
-            } else {
-                if (_e81 > _e195.y) {
-                    let _e201 = local_1.moments;
-                    let _e212 = (((_e201.y - (_e201.x * (_e195.x + _e195.y))) + (_e195.x * _e195.y)) / ((_e81 - _e195.x) * (_e81 - _e195.y)));
-                    if ((bitcast<u32>(_e212) & 2147483647u) > 2139095040u) {
-                        phi_545_ = _e212;
-                    } else {
-                        if (_e212 < 0f) {
-                            phi_544_ = 0f;
-                        } else {
-                            if (_e212 > 1f) {
-                                phi_543_ = 1f;
-                            } else {
-                                phi_543_ = _e212;
-                            }
-                            let _e219 = phi_543_;
-                            phi_544_ = _e219;
-                        }
-                        let _e221 = phi_544_;
-                        phi_545_ = _e221;
-                    }
-                    let _e223 = phi_545_;
-                    phi_585_ = _e223;
+    let _e87 = local_1.moments[3u];
+    if (_e84 == _e87) {
+        let _e91 = local_1.moments[0u];
+        let _e94 = local_1.moments[3u];
+        if (_e91 == _e94) {
+            if (_e81 > 0f) {
+                let _e98 = local_1.moments;
+                if ((bitcast<u32>(_e98.x) & 2147483647u) > 2139095040u) {
+                    phi_429_ = _e98.x;
                 } else {
-                    if (_e81 > _e195.x) {
-                        let _e226 = local_1.moments;
-                        let _e238 = (1f - (((_e226.y - (_e226.x * (_e81 + _e195.y))) + (_e81 * _e195.y)) / ((_e195.x - _e81) * (_e195.x - _e195.y))));
-                        if ((bitcast<u32>(_e238) & 2147483647u) > 2139095040u) {
-                            phi_580_ = _e238;
-                        } else {
-                            if (_e238 < 0f) {
-                                phi_579_ = 0f;
-                            } else {
-                                if (_e238 > 1f) {
-                                    phi_578_ = 1f;
-                                } else {
-                                    phi_578_ = _e238;
-                                }
-                                let _e245 = phi_578_;
-                                phi_579_ = _e245;
-                            }
-                            let _e247 = phi_579_;
-                            phi_580_ = _e247;
-                        }
-                        let _e249 = phi_580_;
-                        phi_584_ = _e249;
+                    if (_e98.x < 0f) {
+                        phi_428_ = 0f;
                     } else {
-                        phi_584_ = bitcast<f32>((bitcast<u32>(_e195.x) | 2143289344u));
+                        if (_e98.x > 1f) {
+                            phi_427_ = 1f;
+                        } else {
+                            phi_427_ = _e98.x;
+                        }
+                        let _e106 = phi_427_;
+                        phi_428_ = _e106;
                     }
-                    let _e254 = phi_584_;
-                    phi_585_ = _e254;
+                    let _e108 = phi_428_;
+                    phi_429_ = _e108;
                 }
-                let _e256 = phi_585_;
-                phi_586_ = _e256;
+                let _e110 = phi_429_;
+                phi_430_ = _e110;
+                phi_431_ = false;
+            } else {
+                phi_430_ = f32();
+                phi_431_ = true;
             }
-            let _e258 = phi_586_;
-            phi_587_ = _e258;
-            phi_588_ = false;
+            let _e112 = phi_430_;
+            let _e114 = phi_431_;
+            phi_432_ = _e112;
+            phi_433_ = _e114;
         } else {
-            phi_587_ = f32();
-            phi_588_ = true;
+            phi_432_ = f32();
+            phi_433_ = true;
         }
-        let _e260 = phi_587_;
-        let _e262 = phi_588_;
-        phi_589_ = _e260;
-        phi_590_ = _e262;
-    } else {
-        phi_589_ = f32();
-        phi_590_ = true;
-    }
-    let _e264 = phi_589_;
-    let _e266 = phi_590_;
-    if _e266 {
-        if ((bitcast<u32>(_e136.x) & 2147483647u) > 2139095040u) {
-            phi_601_ = _e136.x;
+        let _e116 = phi_432_;
+        let _e118 = phi_433_;
+        if _e118 {
+            let _e121 = local_1.moments[0u];
+            let _e124 = local_1.moments[1u];
+            let _e132 = local_1.l32_d22_;
+            let _e134 = local_1.d22_;
+            let _e135 = (_e132 / _e134);
+            let _e136 = (_e81 - _e121);
+            let _e142 = local_1.d22_;
+            let _e145 = local_1.d33_d22_;
+            let _e146 = (((((_e81 * _e81) - _e124) - (_e135 * _e136)) * _e142) / _e145);
+            let _e148 = local_1.d22_;
+            let _e151 = ((_e136 / _e148) - (_e135 * _e146));
+            let _e157 = ((0.5f * _e151) / _e146);
+            let _e160 = ((_e157 * _e157) - (((1f - (_e151 * _e121)) - (_e146 * _e124)) / _e146));
+            if (_e160 >= 0f) {
+                let _e162 = sqrt(_e160);
+                phi_489_ = vec2<f32>((-(_e157) - _e162), (-(_e157) + _e162));
+            } else {
+                phi_489_ = vec2(bitcast<f32>((bitcast<u32>(_e160) | 2143289344u)));
+            }
+            let _e173 = phi_489_;
+            if (_e81 <= _e173.x) {
+                phi_570_ = 1f;
+            } else {
+                if (_e81 > _e173.y) {
+                    let _e179 = local_1.moments;
+                    let _e190 = (((_e179.y - (_e179.x * (_e173.x + _e173.y))) + (_e173.x * _e173.y)) / ((_e81 - _e173.x) * (_e81 - _e173.y)));
+                    if ((bitcast<u32>(_e190) & 2147483647u) > 2139095040u) {
+                        phi_529_ = _e190;
+                    } else {
+                        if (_e190 < 0f) {
+                            phi_528_ = 0f;
+                        } else {
+                            if (_e190 > 1f) {
+                                phi_527_ = 1f;
+                            } else {
+                                phi_527_ = _e190;
+                            }
+                            let _e197 = phi_527_;
+                            phi_528_ = _e197;
+                        }
+                        let _e199 = phi_528_;
+                        phi_529_ = _e199;
+                    }
+                    let _e201 = phi_529_;
+                    phi_569_ = _e201;
+                } else {
+                    if (_e81 > _e173.x) {
+                        let _e204 = local_1.moments;
+                        let _e216 = (1f - (((_e204.y - (_e204.x * (_e81 + _e173.y))) + (_e81 * _e173.y)) / ((_e173.x - _e81) * (_e173.x - _e173.y))));
+                        if ((bitcast<u32>(_e216) & 2147483647u) > 2139095040u) {
+                            phi_564_ = _e216;
+                        } else {
+                            if (_e216 < 0f) {
+                                phi_563_ = 0f;
+                            } else {
+                                if (_e216 > 1f) {
+                                    phi_562_ = 1f;
+                                } else {
+                                    phi_562_ = _e216;
+                                }
+                                let _e223 = phi_562_;
+                                phi_563_ = _e223;
+                            }
+                            let _e225 = phi_563_;
+                            phi_564_ = _e225;
+                        }
+                        let _e227 = phi_564_;
+                        phi_568_ = _e227;
+                    } else {
+                        phi_568_ = bitcast<f32>((bitcast<u32>(_e173.x) | 2143289344u));
+                    }
+                    let _e232 = phi_568_;
+                    phi_569_ = _e232;
+                }
+                let _e234 = phi_569_;
+                phi_570_ = _e234;
+            }
+            let _e236 = phi_570_;
+            phi_571_ = _e236;
         } else {
-            let _e270 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e81);
-            phi_601_ = _e270;
+            phi_571_ = _e116;
         }
-        let _e272 = phi_601_;
-        phi_602_ = _e272;
+        let _e238 = phi_571_;
+        phi_825_ = _e238;
     } else {
-        phi_602_ = _e264;
+        let _e241 = local_1.moments[0u];
+        let _e244 = local_1.moments[1u];
+        let _e252 = local_1.l32_d22_;
+        let _e254 = local_1.d22_;
+        let _e255 = (_e252 / _e254);
+        let _e256 = (_e81 - _e241);
+        let _e262 = local_1.d22_;
+        let _e265 = local_1.d33_d22_;
+        let _e266 = (((((_e81 * _e81) - _e244) - (_e255 * _e256)) * _e262) / _e265);
+        let _e268 = local_1.d22_;
+        let _e271 = ((_e256 / _e268) - (_e255 * _e266));
+        let _e277 = ((0.5f * _e271) / _e266);
+        let _e280 = ((_e277 * _e277) - (((1f - (_e271 * _e241)) - (_e266 * _e244)) / _e266));
+        if (_e280 >= 0f) {
+            let _e282 = sqrt(_e280);
+            phi_624_ = vec2<f32>((-(_e277) - _e282), (-(_e277) + _e282));
+        } else {
+            phi_624_ = vec2(bitcast<f32>((bitcast<u32>(_e280) | 2143289344u)));
+        }
+        let _e293 = phi_624_;
+        if (_e293.x >= 0f) {
+            if (_e293.y <= 1f) {
+                let _e300 = local_1.moments[0u];
+                let _e303 = local_1.moments[3u];
+                if (_e300 == _e303) {
+                    if (_e81 > 0f) {
+                        let _e307 = local_1.moments;
+                        if ((bitcast<u32>(_e307.x) & 2147483647u) > 2139095040u) {
+                            phi_666_ = _e307.x;
+                        } else {
+                            if (_e307.x < 0f) {
+                                phi_665_ = 0f;
+                            } else {
+                                if (_e307.x > 1f) {
+                                    phi_664_ = 1f;
+                                } else {
+                                    phi_664_ = _e307.x;
+                                }
+                                let _e315 = phi_664_;
+                                phi_665_ = _e315;
+                            }
+                            let _e317 = phi_665_;
+                            phi_666_ = _e317;
+                        }
+                        let _e319 = phi_666_;
+                        phi_667_ = _e319;
+                        phi_668_ = false;
+                    } else {
+                        phi_667_ = f32();
+                        phi_668_ = true;
+                    }
+                    let _e321 = phi_667_;
+                    let _e323 = phi_668_;
+                    phi_669_ = _e321;
+                    phi_670_ = _e323;
+                } else {
+                    phi_669_ = f32();
+                    phi_670_ = true;
+                }
+                let _e325 = phi_669_;
+                let _e327 = phi_670_;
+                if _e327 {
+                    let _e330 = local_1.moments[0u];
+                    let _e333 = local_1.moments[1u];
+                    let _e341 = local_1.l32_d22_;
+                    let _e343 = local_1.d22_;
+                    let _e344 = (_e341 / _e343);
+                    let _e345 = (_e81 - _e330);
+                    let _e351 = local_1.d22_;
+                    let _e354 = local_1.d33_d22_;
+                    let _e355 = (((((_e81 * _e81) - _e333) - (_e344 * _e345)) * _e351) / _e354);
+                    let _e357 = local_1.d22_;
+                    let _e360 = ((_e345 / _e357) - (_e344 * _e355));
+                    let _e366 = ((0.5f * _e360) / _e355);
+                    let _e369 = ((_e366 * _e366) - (((1f - (_e360 * _e330)) - (_e355 * _e333)) / _e355));
+                    if (_e369 >= 0f) {
+                        let _e371 = sqrt(_e369);
+                        phi_726_ = vec2<f32>((-(_e366) - _e371), (-(_e366) + _e371));
+                    } else {
+                        phi_726_ = vec2(bitcast<f32>((bitcast<u32>(_e369) | 2143289344u)));
+                    }
+                    let _e382 = phi_726_;
+                    if (_e81 <= _e382.x) {
+                        phi_807_ = 1f;
+                    } else {
+                        if (_e81 > _e382.y) {
+                            let _e388 = local_1.moments;
+                            let _e399 = (((_e388.y - (_e388.x * (_e382.x + _e382.y))) + (_e382.x * _e382.y)) / ((_e81 - _e382.x) * (_e81 - _e382.y)));
+                            if ((bitcast<u32>(_e399) & 2147483647u) > 2139095040u) {
+                                phi_766_ = _e399;
+                            } else {
+                                if (_e399 < 0f) {
+                                    phi_765_ = 0f;
+                                } else {
+                                    if (_e399 > 1f) {
+                                        phi_764_ = 1f;
+                                    } else {
+                                        phi_764_ = _e399;
+                                    }
+                                    let _e406 = phi_764_;
+                                    phi_765_ = _e406;
+                                }
+                                let _e408 = phi_765_;
+                                phi_766_ = _e408;
+                            }
+                            let _e410 = phi_766_;
+                            phi_806_ = _e410;
+                        } else {
+                            if (_e81 > _e382.x) {
+                                let _e413 = local_1.moments;
+                                let _e425 = (1f - (((_e413.y - (_e413.x * (_e81 + _e382.y))) + (_e81 * _e382.y)) / ((_e382.x - _e81) * (_e382.x - _e382.y))));
+                                if ((bitcast<u32>(_e425) & 2147483647u) > 2139095040u) {
+                                    phi_801_ = _e425;
+                                } else {
+                                    if (_e425 < 0f) {
+                                        phi_800_ = 0f;
+                                    } else {
+                                        if (_e425 > 1f) {
+                                            phi_799_ = 1f;
+                                        } else {
+                                            phi_799_ = _e425;
+                                        }
+                                        let _e432 = phi_799_;
+                                        phi_800_ = _e432;
+                                    }
+                                    let _e434 = phi_800_;
+                                    phi_801_ = _e434;
+                                }
+                                let _e436 = phi_801_;
+                                phi_805_ = _e436;
+                            } else {
+                                phi_805_ = bitcast<f32>((bitcast<u32>(_e382.x) | 2143289344u));
+                            }
+                            let _e441 = phi_805_;
+                            phi_806_ = _e441;
+                        }
+                        let _e443 = phi_806_;
+                        phi_807_ = _e443;
+                    }
+                    let _e445 = phi_807_;
+                    phi_808_ = _e445;
+                } else {
+                    phi_808_ = _e325;
+                }
+                let _e447 = phi_808_;
+                phi_809_ = _e447;
+                phi_810_ = false;
+            } else {
+                phi_809_ = f32();
+                phi_810_ = true;
+            }
+            let _e449 = phi_809_;
+            let _e451 = phi_810_;
+            phi_811_ = _e449;
+            phi_812_ = _e451;
+        } else {
+            phi_811_ = f32();
+            phi_812_ = true;
+        }
+        let _e453 = phi_811_;
+        let _e455 = phi_812_;
+        if _e455 {
+            if ((bitcast<u32>(_e293.x) & 2147483647u) > 2139095040u) {
+                phi_823_ = _e293.x;
+            } else {
+                let _e459 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e81);
+                phi_823_ = _e459;
+            }
+            let _e461 = phi_823_;
+            phi_824_ = _e461;
+        } else {
+            phi_824_ = _e453;
+        }
+        let _e463 = phi_824_;
+        phi_825_ = _e463;
     }
-    let _e274 = phi_602_;
-    return _e274;
+    let _e465 = phi_825_;
+    return _e465;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_20: ptr<function, f32>, param_21: vec4<f32>, param_22: vec4<f32>, param_23: f32) -> f32 {
@@ -569,34 +772,34 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
 
 fn function_() {
     var local_2: f32;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_828_: bool;
-    var phi_863_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_867_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_962_: bool;
-    var phi_963_: bool;
-    var phi_964_: bool;
-    var phi_965_: bool;
-    var phi_966_: bool;
-    var phi_967_: bool;
-    var phi_968_: bool;
-    var phi_969_: bool;
-    var phi_970_: bool;
-    var phi_971_: bool;
-    var phi_975_: bool;
-    var phi_1076_: bool;
-    var phi_1084_: bool;
-    var phi_1089_: f32;
-    var phi_1092_: evaluate_Verdict;
-    var phi_1093_: evaluate_Verdict;
-    var phi_1097_: bool;
-    var phi_1098_: u32;
-    var phi_1104_: u32;
+    var phi_1045_: bool;
+    var phi_1046_: bool;
+    var phi_1047_: bool;
+    var phi_1048_: bool;
+    var phi_1052_: bool;
+    var phi_1087_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1091_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1184_: bool;
+    var phi_1185_: bool;
+    var phi_1186_: bool;
+    var phi_1187_: bool;
+    var phi_1188_: bool;
+    var phi_1189_: bool;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1192_: bool;
+    var phi_1193_: bool;
+    var phi_1194_: bool;
+    var phi_1195_: bool;
+    var phi_1199_: bool;
+    var phi_1300_: bool;
+    var phi_1308_: bool;
+    var phi_1313_: f32;
+    var phi_1316_: evaluate_Verdict;
+    var phi_1317_: evaluate_Verdict;
+    var phi_1321_: bool;
+    var phi_1322_: u32;
+    var phi_1328_: u32;
 
     let _e37 = id_1;
     let _e38 = local_3;
@@ -618,28 +821,28 @@ fn function_() {
             if (_e68 == _e70) {
                 let _e73 = samples.member[_e53.first_primitive].normal[2u];
                 let _e75 = global[2u];
-                phi_821_ = (_e73 == _e75);
-                phi_822_ = false;
+                phi_1045_ = (_e73 == _e75);
+                phi_1046_ = false;
             } else {
-                phi_821_ = bool();
-                phi_822_ = true;
+                phi_1045_ = bool();
+                phi_1046_ = true;
             }
-            let _e78 = phi_821_;
-            let _e80 = phi_822_;
-            phi_823_ = _e78;
-            phi_824_ = _e80;
+            let _e78 = phi_1045_;
+            let _e80 = phi_1046_;
+            phi_1047_ = _e78;
+            phi_1048_ = _e80;
         } else {
-            phi_823_ = bool();
-            phi_824_ = true;
+            phi_1047_ = bool();
+            phi_1048_ = true;
         }
-        let _e82 = phi_823_;
-        let _e84 = phi_824_;
+        let _e82 = phi_1047_;
+        let _e84 = phi_1048_;
         if _e84 {
-            phi_828_ = false;
+            phi_1052_ = false;
         } else {
-            phi_828_ = _e82;
+            phi_1052_ = _e82;
         }
-        let _e86 = phi_828_;
+        let _e86 = phi_1052_;
         if !(_e86) {
             let _e89 = samples.member[_e53.first_primitive].normal;
             let _e91 = samples.member[_e53.first_primitive].position;
@@ -648,22 +851,22 @@ fn function_() {
                 let _e106 = samples.member[_e53.first_primitive].flags;
                 let _e114 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e120 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e114.unnamed.visibility, false), _e114.unnamed_1);
-                phi_863_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e120.unnamed, ((_e106 & 1u) == 0u));
+                phi_1087_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e120.unnamed, ((_e106 & 1u) == 0u));
             } else {
                 let _e129 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e129.unnamed.visibility, false), _e129.unnamed_1);
-                phi_863_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e135.unnamed, true);
+                phi_1087_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e135.unnamed, true);
             }
-            let _e140 = phi_863_;
-            phi_867_ = _e140;
+            let _e140 = phi_1087_;
+            phi_1091_ = _e140;
         } else {
             let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e146.unnamed.visibility, false), _e146.unnamed_1);
-            phi_867_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, true);
+            phi_1091_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, true);
         }
-        let _e157 = phi_867_;
+        let _e157 = phi_1091_;
         if _e157.unnamed_1 {
-            phi_1093_ = evaluate_Verdict(_e157.unnamed.visibility, _e157.unnamed.is_doubted);
+            phi_1317_ = evaluate_Verdict(_e157.unnamed.visibility, _e157.unnamed.is_doubted);
         } else {
             let _e165 = samples.member[_e53.first_primitive].position;
             let _e171 = p.member.projection.row_w;
@@ -680,60 +883,60 @@ fn function_() {
                         if (_e210 >= 0f) {
                             if (_e210 <= 1f) {
                                 if (_e223 >= 0f) {
-                                    phi_960_ = (_e223 <= 1f);
-                                    phi_961_ = false;
+                                    phi_1184_ = (_e223 <= 1f);
+                                    phi_1185_ = false;
                                 } else {
-                                    phi_960_ = bool();
-                                    phi_961_ = true;
+                                    phi_1184_ = bool();
+                                    phi_1185_ = true;
                                 }
-                                let _e232 = phi_960_;
-                                let _e234 = phi_961_;
-                                phi_962_ = _e232;
-                                phi_963_ = _e234;
+                                let _e232 = phi_1184_;
+                                let _e234 = phi_1185_;
+                                phi_1186_ = _e232;
+                                phi_1187_ = _e234;
                             } else {
-                                phi_962_ = bool();
-                                phi_963_ = true;
+                                phi_1186_ = bool();
+                                phi_1187_ = true;
                             }
-                            let _e236 = phi_962_;
-                            let _e238 = phi_963_;
-                            phi_964_ = _e236;
-                            phi_965_ = _e238;
+                            let _e236 = phi_1186_;
+                            let _e238 = phi_1187_;
+                            phi_1188_ = _e236;
+                            phi_1189_ = _e238;
                         } else {
-                            phi_964_ = bool();
-                            phi_965_ = true;
+                            phi_1188_ = bool();
+                            phi_1189_ = true;
                         }
-                        let _e240 = phi_964_;
-                        let _e242 = phi_965_;
-                        phi_966_ = _e240;
-                        phi_967_ = _e242;
+                        let _e240 = phi_1188_;
+                        let _e242 = phi_1189_;
+                        phi_1190_ = _e240;
+                        phi_1191_ = _e242;
                     } else {
-                        phi_966_ = bool();
-                        phi_967_ = true;
+                        phi_1190_ = bool();
+                        phi_1191_ = true;
                     }
-                    let _e244 = phi_966_;
-                    let _e246 = phi_967_;
-                    phi_968_ = _e244;
-                    phi_969_ = _e246;
+                    let _e244 = phi_1190_;
+                    let _e246 = phi_1191_;
+                    phi_1192_ = _e244;
+                    phi_1193_ = _e246;
                 } else {
-                    phi_968_ = bool();
-                    phi_969_ = true;
+                    phi_1192_ = bool();
+                    phi_1193_ = true;
                 }
-                let _e248 = phi_968_;
-                let _e250 = phi_969_;
-                phi_970_ = _e248;
-                phi_971_ = _e250;
+                let _e248 = phi_1192_;
+                let _e250 = phi_1193_;
+                phi_1194_ = _e248;
+                phi_1195_ = _e250;
             } else {
-                phi_970_ = bool();
-                phi_971_ = true;
+                phi_1194_ = bool();
+                phi_1195_ = true;
             }
-            let _e252 = phi_970_;
-            let _e254 = phi_971_;
+            let _e252 = phi_1194_;
+            let _e254 = phi_1195_;
             if _e254 {
-                phi_975_ = false;
+                phi_1199_ = false;
             } else {
-                phi_975_ = _e252;
+                phi_1199_ = _e252;
             }
-            let _e256 = phi_975_;
+            let _e256 = phi_1199_;
             if _e256 {
                 let _e258 = p.member.map_size;
                 let _e259 = f32(_e258);
@@ -771,47 +974,47 @@ fn function_() {
                 let _e322 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_2), vec4<f32>(_e305, _e310, _e315, _e320), vec4<f32>(((1f - _e266) * (1f - _e267)), (_e266 * (1f - _e267)), ((1f - _e266) * _e267), (_e266 * _e267)), _e223);
                 let _e324 = p.member.epsilon;
                 if (_e322 <= _e324) {
-                    phi_1076_ = true;
+                    phi_1300_ = true;
                 } else {
-                    phi_1076_ = (_e322 >= (1f - _e324));
+                    phi_1300_ = (_e322 >= (1f - _e324));
                 }
-                let _e329 = phi_1076_;
+                let _e329 = phi_1300_;
                 if ((bitcast<u32>(_e322) & 2147483647u) > 2139095040u) {
-                    phi_1084_ = true;
+                    phi_1308_ = true;
                 } else {
-                    phi_1084_ = !(_e329);
+                    phi_1308_ = !(_e329);
                 }
-                let _e335 = phi_1084_;
+                let _e335 = phi_1308_;
                 if (_e322 > 0.5f) {
-                    phi_1089_ = 1f;
+                    phi_1313_ = 1f;
                 } else {
-                    phi_1089_ = 0f;
+                    phi_1313_ = 0f;
                 }
-                let _e338 = phi_1089_;
-                phi_1092_ = evaluate_Verdict(_e338, _e335);
+                let _e338 = phi_1313_;
+                phi_1316_ = evaluate_Verdict(_e338, _e335);
             } else {
-                phi_1092_ = evaluate_Verdict(1f, true);
+                phi_1316_ = evaluate_Verdict(1f, true);
             }
-            let _e342 = phi_1092_;
-            phi_1093_ = _e342;
+            let _e342 = phi_1316_;
+            phi_1317_ = _e342;
         }
-        let _e344 = phi_1093_;
+        let _e344 = phi_1317_;
         visibility.member[_e53.first_primitive] = _e344.visibility;
-        phi_1097_ = _e344.is_doubted;
-        phi_1098_ = _e53.first_primitive;
+        phi_1321_ = _e344.is_doubted;
+        phi_1322_ = _e53.first_primitive;
     } else {
-        phi_1097_ = false;
-        phi_1098_ = 0u;
+        phi_1321_ = false;
+        phi_1322_ = 0u;
     }
-    let _e349 = phi_1097_;
-    let _e351 = phi_1098_;
+    let _e349 = phi_1321_;
+    let _e351 = phi_1322_;
     if _e349 {
         let _e353 = atomicAdd((&shared_[0u]), 1u);
-        phi_1104_ = _e353;
+        phi_1328_ = _e353;
     } else {
-        phi_1104_ = 0u;
+        phi_1328_ = 0u;
     }
-    let _e355 = phi_1104_;
+    let _e355 = phi_1328_;
     workgroupBarrier();
     if (_e38 == 0u) {
         let _e359 = atomicLoad((&shared_[0u]));

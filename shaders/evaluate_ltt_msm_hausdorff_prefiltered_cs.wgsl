@@ -203,152 +203,152 @@ fn lt_math_hausdorff_cubic_mass(param_9: vec4<f32>, param_10: f32, param_11: f32
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_14: ptr<function, hankel_HankelFactors>, param_15: f32) -> f32 {
-    var phi_574_: f32;
-    var phi_575_: f32;
-    var phi_576_: f32;
-    var phi_602_: f32;
-    var phi_603_: f32;
-    var phi_604_: f32;
-    var phi_605_: f32;
-    var phi_606_: bool;
-    var phi_607_: f32;
-    var phi_608_: bool;
-    var phi_636_: f32;
-    var phi_637_: f32;
-    var phi_638_: f32;
-    var phi_639_: f32;
-    var phi_640_: bool;
-    var phi_641_: f32;
-    var phi_642_: bool;
-    var phi_649_: f32;
-    var phi_650_: f32;
-    var phi_651_: f32;
-    var phi_652_: f32;
+    var phi_797_: f32;
+    var phi_798_: f32;
+    var phi_799_: f32;
+    var phi_826_: f32;
+    var phi_827_: f32;
+    var phi_828_: f32;
+    var phi_829_: f32;
+    var phi_830_: bool;
+    var phi_831_: f32;
+    var phi_832_: bool;
+    var phi_860_: f32;
+    var phi_861_: f32;
+    var phi_862_: f32;
+    var phi_863_: f32;
+    var phi_864_: bool;
+    var phi_865_: f32;
+    var phi_866_: bool;
+    var phi_873_: f32;
+    var phi_874_: f32;
+    var phi_875_: f32;
+    var phi_876_: f32;
 
     let _e39 = (*param_14).moments;
     if (param_15 <= 0f) {
-        phi_652_ = 1f;
+        phi_876_ = 1f;
     } else {
         let _e48 = ((_e39.z - ((1f + param_15) * _e39.y)) + (param_15 * _e39.x));
         let _e57 = (((_e39.w - ((1f + param_15) * _e39.z)) + (param_15 * _e39.y)) / _e48);
         if (abs(_e48) <= 0.00000047683716f) {
             let _e71 = (1f - (((_e39.y - (_e39.x * (param_15 + 1f))) + (param_15 * 1f)) / ((0f - param_15) * (0f - 1f))));
             if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-                phi_576_ = _e71;
+                phi_799_ = _e71;
             } else {
                 if (_e71 < 0f) {
-                    phi_575_ = 0f;
+                    phi_798_ = 0f;
                 } else {
                     if (_e71 > 1f) {
-                        phi_574_ = 1f;
+                        phi_797_ = 1f;
                     } else {
-                        phi_574_ = _e71;
+                        phi_797_ = _e71;
                     }
-                    let _e78 = phi_574_;
-                    phi_575_ = _e78;
+                    let _e78 = phi_797_;
+                    phi_798_ = _e78;
                 }
-                let _e80 = phi_575_;
-                phi_576_ = _e80;
+                let _e80 = phi_798_;
+                phi_799_ = _e80;
             }
-            let _e82 = phi_576_;
-            phi_651_ = _e82;
+            let _e82 = phi_799_;
+            phi_875_ = _e82;
         } else {
             if (_e57 > 0f) {
                 if (_e57 < param_15) {
-                    let _e85 = lt_math_hausdorff_cubic_mass(_e39, param_15, 0f, _e57, 1f);
-                    let _e86 = lt_math_hausdorff_cubic_mass(_e39, 1f, 0f, _e57, param_15);
-                    let _e87 = (_e85 + _e86);
-                    if ((bitcast<u32>(_e87) & 2147483647u) > 2139095040u) {
-                        phi_604_ = _e87;
+                    let _e85 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_15, 1f);
+                    let _e87 = lt_math_hausdorff_cubic_mass(_e39, _e57, 0f, param_15, 1f);
+                    let _e88 = ((1f - _e85) - _e87);
+                    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
+                        phi_828_ = _e88;
                     } else {
-                        if (_e87 < 0f) {
-                            phi_603_ = 0f;
+                        if (_e88 < 0f) {
+                            phi_827_ = 0f;
                         } else {
-                            if (_e87 > 1f) {
-                                phi_602_ = 1f;
+                            if (_e88 > 1f) {
+                                phi_826_ = 1f;
                             } else {
-                                phi_602_ = _e87;
+                                phi_826_ = _e88;
                             }
-                            let _e94 = phi_602_;
-                            phi_603_ = _e94;
+                            let _e95 = phi_826_;
+                            phi_827_ = _e95;
                         }
-                        let _e96 = phi_603_;
-                        phi_604_ = _e96;
+                        let _e97 = phi_827_;
+                        phi_828_ = _e97;
                     }
-                    let _e98 = phi_604_;
-                    phi_605_ = _e98;
-                    phi_606_ = false;
+                    let _e99 = phi_828_;
+                    phi_829_ = _e99;
+                    phi_830_ = false;
                 } else {
-                    phi_605_ = f32();
-                    phi_606_ = true;
+                    phi_829_ = f32();
+                    phi_830_ = true;
                 }
-                let _e100 = phi_605_;
-                let _e102 = phi_606_;
-                phi_607_ = _e100;
-                phi_608_ = _e102;
+                let _e101 = phi_829_;
+                let _e103 = phi_830_;
+                phi_831_ = _e101;
+                phi_832_ = _e103;
             } else {
-                phi_607_ = f32();
-                phi_608_ = true;
+                phi_831_ = f32();
+                phi_832_ = true;
             }
-            let _e104 = phi_607_;
-            let _e106 = phi_608_;
-            if _e106 {
+            let _e105 = phi_831_;
+            let _e107 = phi_832_;
+            if _e107 {
                 if (_e57 > param_15) {
                     if (_e57 < 1f) {
-                        let _e109 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_15, 1f);
-                        let _e110 = (1f - _e109);
-                        if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                            phi_638_ = _e110;
+                        let _e110 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_15, 1f);
+                        let _e111 = (1f - _e110);
+                        if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
+                            phi_862_ = _e111;
                         } else {
-                            if (_e110 < 0f) {
-                                phi_637_ = 0f;
+                            if (_e111 < 0f) {
+                                phi_861_ = 0f;
                             } else {
-                                if (_e110 > 1f) {
-                                    phi_636_ = 1f;
+                                if (_e111 > 1f) {
+                                    phi_860_ = 1f;
                                 } else {
-                                    phi_636_ = _e110;
+                                    phi_860_ = _e111;
                                 }
-                                let _e117 = phi_636_;
-                                phi_637_ = _e117;
+                                let _e118 = phi_860_;
+                                phi_861_ = _e118;
                             }
-                            let _e119 = phi_637_;
-                            phi_638_ = _e119;
+                            let _e120 = phi_861_;
+                            phi_862_ = _e120;
                         }
-                        let _e121 = phi_638_;
-                        phi_639_ = _e121;
-                        phi_640_ = false;
+                        let _e122 = phi_862_;
+                        phi_863_ = _e122;
+                        phi_864_ = false;
                     } else {
-                        phi_639_ = f32();
-                        phi_640_ = true;
+                        phi_863_ = f32();
+                        phi_864_ = true;
                     }
-                    let _e123 = phi_639_;
-                    let _e125 = phi_640_;
-                    phi_641_ = _e123;
-                    phi_642_ = _e125;
+                    let _e124 = phi_863_;
+                    let _e126 = phi_864_;
+                    phi_865_ = _e124;
+                    phi_866_ = _e126;
                 } else {
-                    phi_641_ = f32();
-                    phi_642_ = true;
+                    phi_865_ = f32();
+                    phi_866_ = true;
                 }
-                let _e127 = phi_641_;
-                let _e129 = phi_642_;
-                if _e129 {
-                    phi_649_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
+                let _e128 = phi_865_;
+                let _e130 = phi_866_;
+                if _e130 {
+                    phi_873_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
                 } else {
-                    phi_649_ = _e127;
+                    phi_873_ = _e128;
                 }
-                let _e134 = phi_649_;
-                phi_650_ = _e134;
+                let _e135 = phi_873_;
+                phi_874_ = _e135;
             } else {
-                phi_650_ = _e104;
+                phi_874_ = _e105;
             }
-            let _e136 = phi_650_;
-            phi_651_ = _e136;
+            let _e137 = phi_874_;
+            phi_875_ = _e137;
         }
-        let _e138 = phi_651_;
-        phi_652_ = _e138;
+        let _e139 = phi_875_;
+        phi_876_ = _e139;
     }
-    let _e140 = phi_652_;
-    return _e140;
+    let _e141 = phi_876_;
+    return _e141;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_16: ptr<function, f32>, param_17: vec4<f32>, param_18: f32) -> f32 {
@@ -356,23 +356,50 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     var phi_301_: f32;
     var phi_302_: f32;
     var phi_303_: f32;
-    var phi_356_: vec2<f32>;
-    var phi_419_: vec2<f32>;
-    var phi_457_: f32;
-    var phi_458_: f32;
-    var phi_459_: f32;
-    var phi_492_: f32;
-    var phi_493_: f32;
-    var phi_494_: f32;
-    var phi_498_: f32;
-    var phi_499_: f32;
-    var phi_500_: f32;
-    var phi_501_: f32;
-    var phi_502_: bool;
-    var phi_503_: f32;
-    var phi_504_: bool;
-    var phi_515_: f32;
-    var phi_516_: f32;
+    var phi_341_: f32;
+    var phi_342_: f32;
+    var phi_343_: f32;
+    var phi_344_: f32;
+    var phi_345_: bool;
+    var phi_346_: f32;
+    var phi_347_: bool;
+    var phi_403_: vec2<f32>;
+    var phi_441_: f32;
+    var phi_442_: f32;
+    var phi_443_: f32;
+    var phi_476_: f32;
+    var phi_477_: f32;
+    var phi_478_: f32;
+    var phi_482_: f32;
+    var phi_483_: f32;
+    var phi_484_: f32;
+    var phi_485_: f32;
+    var phi_538_: vec2<f32>;
+    var phi_578_: f32;
+    var phi_579_: f32;
+    var phi_580_: f32;
+    var phi_581_: f32;
+    var phi_582_: bool;
+    var phi_583_: f32;
+    var phi_584_: bool;
+    var phi_640_: vec2<f32>;
+    var phi_678_: f32;
+    var phi_679_: f32;
+    var phi_680_: f32;
+    var phi_713_: f32;
+    var phi_714_: f32;
+    var phi_715_: f32;
+    var phi_719_: f32;
+    var phi_720_: f32;
+    var phi_721_: f32;
+    var phi_722_: f32;
+    var phi_723_: f32;
+    var phi_724_: bool;
+    var phi_725_: f32;
+    var phi_726_: bool;
+    var phi_737_: f32;
+    var phi_738_: f32;
+    var phi_739_: f32;
 
     let _e40 = (*param_16);
     let _e41 = (1f - _e40);
@@ -404,167 +431,343 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     }
     let _e81 = phi_303_;
     let _e84 = local_1.moments[0u];
-    let _e87 = local_1.moments[1u];
-    let _e95 = local_1.l32_d22_;
-    let _e97 = local_1.d22_;
-    let _e98 = (_e95 / _e97);
-    let _e99 = (_e81 - _e84);
-    let _e105 = local_1.d22_;
-    let _e108 = local_1.d33_d22_;
-    let _e109 = (((((_e81 * _e81) - _e87) - (_e98 * _e99)) * _e105) / _e108);
-    let _e111 = local_1.d22_;
-    let _e114 = ((_e99 / _e111) - (_e98 * _e109));
-    let _e120 = ((0.5f * _e114) / _e109);
-    let _e123 = ((_e120 * _e120) - (((1f - (_e114 * _e84)) - (_e109 * _e87)) / _e109));
-    if (_e123 >= 0f) {
-        let _e125 = sqrt(_e123);
-        phi_356_ = vec2<f32>((-(_e120) - _e125), (-(_e120) + _e125));
-    } else {
-        phi_356_ = vec2(bitcast<f32>((bitcast<u32>(_e123) | 2143289344u)));
-    }
-    let _e136 = phi_356_;
-    if (_e136.x >= 0f) {
-        if (_e136.y <= 1f) {
-            let _e143 = local_1.moments[0u];
-            let _e146 = local_1.moments[1u];
-            let _e154 = local_1.l32_d22_;
-            let _e156 = local_1.d22_;
-            let _e157 = (_e154 / _e156);
-            let _e158 = (_e81 - _e143);
-            let _e164 = local_1.d22_;
-            let _e167 = local_1.d33_d22_;
-            let _e168 = (((((_e81 * _e81) - _e146) - (_e157 * _e158)) * _e164) / _e167);
-            let _e170 = local_1.d22_;
-            let _e173 = ((_e158 / _e170) - (_e157 * _e168));
-            let _e179 = ((0.5f * _e173) / _e168);
-            let _e182 = ((_e179 * _e179) - (((1f - (_e173 * _e143)) - (_e168 * _e146)) / _e168));
-            if (_e182 >= 0f) {
-                let _e184 = sqrt(_e182);
-                phi_419_ = vec2<f32>((-(_e179) - _e184), (-(_e179) + _e184));
-            } else {
-                phi_419_ = vec2(bitcast<f32>((bitcast<u32>(_e182) | 2143289344u)));
-            }
-            let _e195 = phi_419_;
-            if (_e81 <= _e195.x) {
-                phi_500_ = 1f;
-            } else {
-                if (_e81 > _e195.y) {
-                    let _e201 = local_1.moments;
-                    let _e212 = (((_e201.y - (_e201.x * (_e195.x + _e195.y))) + (_e195.x * _e195.y)) / ((_e81 - _e195.x) * (_e81 - _e195.y)));
-                    if ((bitcast<u32>(_e212) & 2147483647u) > 2139095040u) {
-                        phi_459_ = _e212;
-                    } else {
-                        if (_e212 < 0f) {
-                            phi_458_ = 0f;
-                        } else {
-                            if (_e212 > 1f) {
-                                phi_457_ = 1f;
-                            } else {
-                                phi_457_ = _e212;
-                            }
-                            let _e219 = phi_457_;
-                            phi_458_ = _e219;
-                        }
-                        let _e221 = phi_458_;
-                        phi_459_ = _e221;
-                    }
-                    let _e223 = phi_459_;
-                    phi_499_ = _e223;
+    let _e87 = local_1.moments[3u];
+    if (_e84 == _e87) {
+        let _e91 = local_1.moments[0u];
+        let _e94 = local_1.moments[3u];
+        if (_e91 == _e94) {
+            if (_e81 > 0f) {
+                let _e98 = local_1.moments;
+                if ((bitcast<u32>(_e98.x) & 2147483647u) > 2139095040u) {
+                    phi_343_ = _e98.x;
                 } else {
-                    if (_e81 > _e195.x) {
-                        let _e226 = local_1.moments;
-                        let _e238 = (1f - (((_e226.y - (_e226.x * (_e81 + _e195.y))) + (_e81 * _e195.y)) / ((_e195.x - _e81) * (_e195.x - _e195.y))));
-                        if ((bitcast<u32>(_e238) & 2147483647u) > 2139095040u) {
-                            phi_494_ = _e238;
-                        } else {
-                            if (_e238 < 0f) {
-                                phi_493_ = 0f;
-                            } else {
-                                if (_e238 > 1f) {
-                                    phi_492_ = 1f;
-                                } else {
-                                    phi_492_ = _e238;
-                                }
-                                let _e245 = phi_492_;
-                                phi_493_ = _e245;
-                            }
-                            let _e247 = phi_493_;
-                            phi_494_ = _e247;
-                        }
-                        let _e249 = phi_494_;
-                        phi_498_ = _e249;
+                    if (_e98.x < 0f) {
+                        phi_342_ = 0f;
                     } else {
-                        phi_498_ = bitcast<f32>((bitcast<u32>(_e195.x) | 2143289344u));
+                        if (_e98.x > 1f) {
+                            phi_341_ = 1f;
+                        } else {
+                            phi_341_ = _e98.x;
+                        }
+                        let _e106 = phi_341_;
+                        phi_342_ = _e106;
                     }
-                    let _e254 = phi_498_;
-                    phi_499_ = _e254;
+                    let _e108 = phi_342_;
+                    phi_343_ = _e108;
                 }
-                let _e256 = phi_499_;
-                phi_500_ = _e256;
+                let _e110 = phi_343_;
+                phi_344_ = _e110;
+                phi_345_ = false;
+            } else {
+                phi_344_ = f32();
+                phi_345_ = true;
             }
-            let _e258 = phi_500_;
-            phi_501_ = _e258;
-            phi_502_ = false;
+            let _e112 = phi_344_;
+            let _e114 = phi_345_;
+            phi_346_ = _e112;
+            phi_347_ = _e114;
         } else {
-            phi_501_ = f32();
-            phi_502_ = true;
+            phi_346_ = f32();
+            phi_347_ = true;
         }
-        let _e260 = phi_501_;
-        let _e262 = phi_502_;
-        phi_503_ = _e260;
-        phi_504_ = _e262;
-    } else {
-        phi_503_ = f32();
-        phi_504_ = true;
-    }
-    let _e264 = phi_503_;
-    let _e266 = phi_504_;
-    if _e266 {
-        if ((bitcast<u32>(_e136.x) & 2147483647u) > 2139095040u) {
-            phi_515_ = _e136.x;
+        let _e116 = phi_346_;
+        let _e118 = phi_347_;
+        if _e118 {
+            let _e121 = local_1.moments[0u];
+            let _e124 = local_1.moments[1u];
+            let _e132 = local_1.l32_d22_;
+            let _e134 = local_1.d22_;
+            let _e135 = (_e132 / _e134);
+            let _e136 = (_e81 - _e121);
+            let _e142 = local_1.d22_;
+            let _e145 = local_1.d33_d22_;
+            let _e146 = (((((_e81 * _e81) - _e124) - (_e135 * _e136)) * _e142) / _e145);
+            let _e148 = local_1.d22_;
+            let _e151 = ((_e136 / _e148) - (_e135 * _e146));
+            let _e157 = ((0.5f * _e151) / _e146);
+            let _e160 = ((_e157 * _e157) - (((1f - (_e151 * _e121)) - (_e146 * _e124)) / _e146));
+            if (_e160 >= 0f) {
+                let _e162 = sqrt(_e160);
+                phi_403_ = vec2<f32>((-(_e157) - _e162), (-(_e157) + _e162));
+            } else {
+                phi_403_ = vec2(bitcast<f32>((bitcast<u32>(_e160) | 2143289344u)));
+            }
+            let _e173 = phi_403_;
+            if (_e81 <= _e173.x) {
+                phi_484_ = 1f;
+            } else {
+                if (_e81 > _e173.y) {
+                    let _e179 = local_1.moments;
+                    let _e190 = (((_e179.y - (_e179.x * (_e173.x + _e173.y))) + (_e173.x * _e173.y)) / ((_e81 - _e173.x) * (_e81 - _e173.y)));
+                    if ((bitcast<u32>(_e190) & 2147483647u) > 2139095040u) {
+                        phi_443_ = _e190;
+                    } else {
+                        if (_e190 < 0f) {
+                            phi_442_ = 0f;
+                        } else {
+                            if (_e190 > 1f) {
+                                phi_441_ = 1f;
+                            } else {
+                                phi_441_ = _e190;
+                            }
+                            let _e197 = phi_441_;
+                            phi_442_ = _e197;
+                        }
+                        let _e199 = phi_442_;
+                        phi_443_ = _e199;
+                    }
+                    let _e201 = phi_443_;
+                    phi_483_ = _e201;
+                } else {
+                    if (_e81 > _e173.x) {
+                        let _e204 = local_1.moments;
+                        let _e216 = (1f - (((_e204.y - (_e204.x * (_e81 + _e173.y))) + (_e81 * _e173.y)) / ((_e173.x - _e81) * (_e173.x - _e173.y))));
+                        if ((bitcast<u32>(_e216) & 2147483647u) > 2139095040u) {
+                            phi_478_ = _e216;
+                        } else {
+                            if (_e216 < 0f) {
+                                phi_477_ = 0f;
+                            } else {
+                                if (_e216 > 1f) {
+                                    phi_476_ = 1f;
+                                } else {
+                                    phi_476_ = _e216;
+                                }
+                                let _e223 = phi_476_;
+                                phi_477_ = _e223;
+                            }
+                            let _e225 = phi_477_;
+                            phi_478_ = _e225;
+                        }
+                        let _e227 = phi_478_;
+                        phi_482_ = _e227;
+                    } else {
+                        phi_482_ = bitcast<f32>((bitcast<u32>(_e173.x) | 2143289344u));
+                    }
+                    let _e232 = phi_482_;
+                    phi_483_ = _e232;
+                }
+                let _e234 = phi_483_;
+                phi_484_ = _e234;
+            }
+            let _e236 = phi_484_;
+            phi_485_ = _e236;
         } else {
-            let _e270 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e81);
-            phi_515_ = _e270;
+            phi_485_ = _e116;
         }
-        let _e272 = phi_515_;
-        phi_516_ = _e272;
+        let _e238 = phi_485_;
+        phi_739_ = _e238;
     } else {
-        phi_516_ = _e264;
+        let _e241 = local_1.moments[0u];
+        let _e244 = local_1.moments[1u];
+        let _e252 = local_1.l32_d22_;
+        let _e254 = local_1.d22_;
+        let _e255 = (_e252 / _e254);
+        let _e256 = (_e81 - _e241);
+        let _e262 = local_1.d22_;
+        let _e265 = local_1.d33_d22_;
+        let _e266 = (((((_e81 * _e81) - _e244) - (_e255 * _e256)) * _e262) / _e265);
+        let _e268 = local_1.d22_;
+        let _e271 = ((_e256 / _e268) - (_e255 * _e266));
+        let _e277 = ((0.5f * _e271) / _e266);
+        let _e280 = ((_e277 * _e277) - (((1f - (_e271 * _e241)) - (_e266 * _e244)) / _e266));
+        if (_e280 >= 0f) {
+            let _e282 = sqrt(_e280);
+            phi_538_ = vec2<f32>((-(_e277) - _e282), (-(_e277) + _e282));
+        } else {
+            phi_538_ = vec2(bitcast<f32>((bitcast<u32>(_e280) | 2143289344u)));
+        }
+        let _e293 = phi_538_;
+        if (_e293.x >= 0f) {
+            if (_e293.y <= 1f) {
+                let _e300 = local_1.moments[0u];
+                let _e303 = local_1.moments[3u];
+                if (_e300 == _e303) {
+                    if (_e81 > 0f) {
+                        let _e307 = local_1.moments;
+                        if ((bitcast<u32>(_e307.x) & 2147483647u) > 2139095040u) {
+                            phi_580_ = _e307.x;
+                        } else {
+                            if (_e307.x < 0f) {
+                                phi_579_ = 0f;
+                            } else {
+                                if (_e307.x > 1f) {
+                                    phi_578_ = 1f;
+                                } else {
+                                    phi_578_ = _e307.x;
+                                }
+                                let _e315 = phi_578_;
+                                phi_579_ = _e315;
+                            }
+                            let _e317 = phi_579_;
+                            phi_580_ = _e317;
+                        }
+                        let _e319 = phi_580_;
+                        phi_581_ = _e319;
+                        phi_582_ = false;
+                    } else {
+                        phi_581_ = f32();
+                        phi_582_ = true;
+                    }
+                    let _e321 = phi_581_;
+                    let _e323 = phi_582_;
+                    phi_583_ = _e321;
+                    phi_584_ = _e323;
+                } else {
+                    phi_583_ = f32();
+                    phi_584_ = true;
+                }
+                let _e325 = phi_583_;
+                let _e327 = phi_584_;
+                if _e327 {
+                    let _e330 = local_1.moments[0u];
+                    let _e333 = local_1.moments[1u];
+                    let _e341 = local_1.l32_d22_;
+                    let _e343 = local_1.d22_;
+                    let _e344 = (_e341 / _e343);
+                    let _e345 = (_e81 - _e330);
+                    let _e351 = local_1.d22_;
+                    let _e354 = local_1.d33_d22_;
+                    let _e355 = (((((_e81 * _e81) - _e333) - (_e344 * _e345)) * _e351) / _e354);
+                    let _e357 = local_1.d22_;
+                    let _e360 = ((_e345 / _e357) - (_e344 * _e355));
+                    let _e366 = ((0.5f * _e360) / _e355);
+                    let _e369 = ((_e366 * _e366) - (((1f - (_e360 * _e330)) - (_e355 * _e333)) / _e355));
+                    if (_e369 >= 0f) {
+                        let _e371 = sqrt(_e369);
+                        phi_640_ = vec2<f32>((-(_e366) - _e371), (-(_e366) + _e371));
+                    } else {
+                        phi_640_ = vec2(bitcast<f32>((bitcast<u32>(_e369) | 2143289344u)));
+                    }
+                    let _e382 = phi_640_;
+                    if (_e81 <= _e382.x) {
+                        phi_721_ = 1f;
+                    } else {
+                        if (_e81 > _e382.y) {
+                            let _e388 = local_1.moments;
+                            let _e399 = (((_e388.y - (_e388.x * (_e382.x + _e382.y))) + (_e382.x * _e382.y)) / ((_e81 - _e382.x) * (_e81 - _e382.y)));
+                            if ((bitcast<u32>(_e399) & 2147483647u) > 2139095040u) {
+                                phi_680_ = _e399;
+                            } else {
+                                if (_e399 < 0f) {
+                                    phi_679_ = 0f;
+                                } else {
+                                    if (_e399 > 1f) {
+                                        phi_678_ = 1f;
+                                    } else {
+                                        phi_678_ = _e399;
+                                    }
+                                    let _e406 = phi_678_;
+                                    phi_679_ = _e406;
+                                }
+                                let _e408 = phi_679_;
+                                phi_680_ = _e408;
+                            }
+                            let _e410 = phi_680_;
+                            phi_720_ = _e410;
+                        } else {
+                            if (_e81 > _e382.x) {
+                                let _e413 = local_1.moments;
+                                let _e425 = (1f - (((_e413.y - (_e413.x * (_e81 + _e382.y))) + (_e81 * _e382.y)) / ((_e382.x - _e81) * (_e382.x - _e382.y))));
+                                if ((bitcast<u32>(_e425) & 2147483647u) > 2139095040u) {
+                                    phi_715_ = _e425;
+                                } else {
+                                    if (_e425 < 0f) {
+                                        phi_714_ = 0f;
+                                    } else {
+                                        if (_e425 > 1f) {
+                                            phi_713_ = 1f;
+                                        } else {
+                                            phi_713_ = _e425;
+                                        }
+                                        let _e432 = phi_713_;
+                                        phi_714_ = _e432;
+                                    }
+                                    let _e434 = phi_714_;
+                                    phi_715_ = _e434;
+                                }
+                                let _e436 = phi_715_;
+                                phi_719_ = _e436;
+                            } else {
+                                phi_719_ = bitcast<f32>((bitcast<u32>(_e382.x) | 2143289344u));
+                            }
+                            let _e441 = phi_719_;
+                            phi_720_ = _e441;
+                        }
+                        let _e443 = phi_720_;
+                        phi_721_ = _e443;
+                    }
+                    let _e445 = phi_721_;
+                    phi_722_ = _e445;
+                } else {
+                    phi_722_ = _e325;
+                }
+                let _e447 = phi_722_;
+                phi_723_ = _e447;
+                phi_724_ = false;
+            } else {
+                phi_723_ = f32();
+                phi_724_ = true;
+            }
+            let _e449 = phi_723_;
+            let _e451 = phi_724_;
+            phi_725_ = _e449;
+            phi_726_ = _e451;
+        } else {
+            phi_725_ = f32();
+            phi_726_ = true;
+        }
+        let _e453 = phi_725_;
+        let _e455 = phi_726_;
+        if _e455 {
+            if ((bitcast<u32>(_e293.x) & 2147483647u) > 2139095040u) {
+                phi_737_ = _e293.x;
+            } else {
+                let _e459 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e81);
+                phi_737_ = _e459;
+            }
+            let _e461 = phi_737_;
+            phi_738_ = _e461;
+        } else {
+            phi_738_ = _e453;
+        }
+        let _e463 = phi_738_;
+        phi_739_ = _e463;
     }
-    let _e274 = phi_516_;
-    return _e274;
+    let _e465 = phi_739_;
+    return _e465;
 }
 
 fn function_() {
     var local_2: f32;
-    var phi_735_: bool;
-    var phi_736_: bool;
-    var phi_737_: bool;
-    var phi_738_: bool;
-    var phi_742_: bool;
-    var phi_777_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_781_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_876_: bool;
-    var phi_877_: bool;
-    var phi_878_: bool;
-    var phi_879_: bool;
-    var phi_880_: bool;
-    var phi_881_: bool;
-    var phi_882_: bool;
-    var phi_883_: bool;
-    var phi_884_: bool;
-    var phi_885_: bool;
-    var phi_889_: bool;
-    var phi_1034_: bool;
-    var phi_1042_: bool;
-    var phi_1047_: f32;
-    var phi_1050_: evaluate_Verdict;
-    var phi_1051_: evaluate_Verdict;
-    var phi_1055_: bool;
-    var phi_1056_: u32;
-    var phi_1062_: u32;
+    var phi_959_: bool;
+    var phi_960_: bool;
+    var phi_961_: bool;
+    var phi_962_: bool;
+    var phi_966_: bool;
+    var phi_1001_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1005_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1098_: bool;
+    var phi_1099_: bool;
+    var phi_1100_: bool;
+    var phi_1101_: bool;
+    var phi_1102_: bool;
+    var phi_1103_: bool;
+    var phi_1104_: bool;
+    var phi_1105_: bool;
+    var phi_1106_: bool;
+    var phi_1107_: bool;
+    var phi_1108_: bool;
+    var phi_1109_: bool;
+    var phi_1113_: bool;
+    var phi_1258_: bool;
+    var phi_1266_: bool;
+    var phi_1271_: f32;
+    var phi_1274_: evaluate_Verdict;
+    var phi_1275_: evaluate_Verdict;
+    var phi_1279_: bool;
+    var phi_1280_: u32;
+    var phi_1286_: u32;
 
     let _e37 = id_1;
     let _e38 = local_3;
@@ -586,28 +789,28 @@ fn function_() {
             if (_e68 == _e70) {
                 let _e73 = samples.member[_e53.first_primitive].normal[2u];
                 let _e75 = global[2u];
-                phi_735_ = (_e73 == _e75);
-                phi_736_ = false;
+                phi_959_ = (_e73 == _e75);
+                phi_960_ = false;
             } else {
-                phi_735_ = bool();
-                phi_736_ = true;
+                phi_959_ = bool();
+                phi_960_ = true;
             }
-            let _e78 = phi_735_;
-            let _e80 = phi_736_;
-            phi_737_ = _e78;
-            phi_738_ = _e80;
+            let _e78 = phi_959_;
+            let _e80 = phi_960_;
+            phi_961_ = _e78;
+            phi_962_ = _e80;
         } else {
-            phi_737_ = bool();
-            phi_738_ = true;
+            phi_961_ = bool();
+            phi_962_ = true;
         }
-        let _e82 = phi_737_;
-        let _e84 = phi_738_;
+        let _e82 = phi_961_;
+        let _e84 = phi_962_;
         if _e84 {
-            phi_742_ = false;
+            phi_966_ = false;
         } else {
-            phi_742_ = _e82;
+            phi_966_ = _e82;
         }
-        let _e86 = phi_742_;
+        let _e86 = phi_966_;
         if !(_e86) {
             let _e89 = samples.member[_e53.first_primitive].normal;
             let _e91 = samples.member[_e53.first_primitive].position;
@@ -616,22 +819,22 @@ fn function_() {
                 let _e106 = samples.member[_e53.first_primitive].flags;
                 let _e114 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e120 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e114.unnamed.visibility, false), _e114.unnamed_1);
-                phi_777_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e120.unnamed, ((_e106 & 1u) == 0u));
+                phi_1001_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e120.unnamed, ((_e106 & 1u) == 0u));
             } else {
                 let _e129 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e129.unnamed.visibility, false), _e129.unnamed_1);
-                phi_777_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e135.unnamed, true);
+                phi_1001_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e135.unnamed, true);
             }
-            let _e140 = phi_777_;
-            phi_781_ = _e140;
+            let _e140 = phi_1001_;
+            phi_1005_ = _e140;
         } else {
             let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e146.unnamed.visibility, false), _e146.unnamed_1);
-            phi_781_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, true);
+            phi_1005_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, true);
         }
-        let _e157 = phi_781_;
+        let _e157 = phi_1005_;
         if _e157.unnamed_1 {
-            phi_1051_ = evaluate_Verdict(_e157.unnamed.visibility, _e157.unnamed.is_doubted);
+            phi_1275_ = evaluate_Verdict(_e157.unnamed.visibility, _e157.unnamed.is_doubted);
         } else {
             let _e165 = samples.member[_e53.first_primitive].position;
             let _e171 = p.member.projection.row_w;
@@ -648,60 +851,60 @@ fn function_() {
                         if (_e210 >= 0f) {
                             if (_e210 <= 1f) {
                                 if (_e223 >= 0f) {
-                                    phi_874_ = (_e223 <= 1f);
-                                    phi_875_ = false;
+                                    phi_1098_ = (_e223 <= 1f);
+                                    phi_1099_ = false;
                                 } else {
-                                    phi_874_ = bool();
-                                    phi_875_ = true;
+                                    phi_1098_ = bool();
+                                    phi_1099_ = true;
                                 }
-                                let _e232 = phi_874_;
-                                let _e234 = phi_875_;
-                                phi_876_ = _e232;
-                                phi_877_ = _e234;
+                                let _e232 = phi_1098_;
+                                let _e234 = phi_1099_;
+                                phi_1100_ = _e232;
+                                phi_1101_ = _e234;
                             } else {
-                                phi_876_ = bool();
-                                phi_877_ = true;
+                                phi_1100_ = bool();
+                                phi_1101_ = true;
                             }
-                            let _e236 = phi_876_;
-                            let _e238 = phi_877_;
-                            phi_878_ = _e236;
-                            phi_879_ = _e238;
+                            let _e236 = phi_1100_;
+                            let _e238 = phi_1101_;
+                            phi_1102_ = _e236;
+                            phi_1103_ = _e238;
                         } else {
-                            phi_878_ = bool();
-                            phi_879_ = true;
+                            phi_1102_ = bool();
+                            phi_1103_ = true;
                         }
-                        let _e240 = phi_878_;
-                        let _e242 = phi_879_;
-                        phi_880_ = _e240;
-                        phi_881_ = _e242;
+                        let _e240 = phi_1102_;
+                        let _e242 = phi_1103_;
+                        phi_1104_ = _e240;
+                        phi_1105_ = _e242;
                     } else {
-                        phi_880_ = bool();
-                        phi_881_ = true;
+                        phi_1104_ = bool();
+                        phi_1105_ = true;
                     }
-                    let _e244 = phi_880_;
-                    let _e246 = phi_881_;
-                    phi_882_ = _e244;
-                    phi_883_ = _e246;
+                    let _e244 = phi_1104_;
+                    let _e246 = phi_1105_;
+                    phi_1106_ = _e244;
+                    phi_1107_ = _e246;
                 } else {
-                    phi_882_ = bool();
-                    phi_883_ = true;
+                    phi_1106_ = bool();
+                    phi_1107_ = true;
                 }
-                let _e248 = phi_882_;
-                let _e250 = phi_883_;
-                phi_884_ = _e248;
-                phi_885_ = _e250;
+                let _e248 = phi_1106_;
+                let _e250 = phi_1107_;
+                phi_1108_ = _e248;
+                phi_1109_ = _e250;
             } else {
-                phi_884_ = bool();
-                phi_885_ = true;
+                phi_1108_ = bool();
+                phi_1109_ = true;
             }
-            let _e252 = phi_884_;
-            let _e254 = phi_885_;
+            let _e252 = phi_1108_;
+            let _e254 = phi_1109_;
             if _e254 {
-                phi_889_ = false;
+                phi_1113_ = false;
             } else {
-                phi_889_ = _e252;
+                phi_1113_ = _e252;
             }
-            let _e256 = phi_889_;
+            let _e256 = phi_1113_;
             if _e256 {
                 let _e258 = p.member.map_size;
                 let _e259 = f32(_e258);
@@ -743,47 +946,47 @@ fn function_() {
                 let _e365 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e304.x * _e288) + (_e317.x * _e290)) + (_e334.x * _e292)) + (_e351.x * _e293)), ((((_e304.y * _e288) + (_e317.y * _e290)) + (_e334.y * _e292)) + (_e351.y * _e293)), ((((_e304.z * _e288) + (_e317.z * _e290)) + (_e334.z * _e292)) + (_e351.z * _e293)), ((((_e304.w * _e288) + (_e317.w * _e290)) + (_e334.w * _e292)) + (_e351.w * _e293))), _e223);
                 let _e367 = p.member.epsilon;
                 if (_e365 <= _e367) {
-                    phi_1034_ = true;
+                    phi_1258_ = true;
                 } else {
-                    phi_1034_ = (_e365 >= (1f - _e367));
+                    phi_1258_ = (_e365 >= (1f - _e367));
                 }
-                let _e372 = phi_1034_;
+                let _e372 = phi_1258_;
                 if ((bitcast<u32>(_e365) & 2147483647u) > 2139095040u) {
-                    phi_1042_ = true;
+                    phi_1266_ = true;
                 } else {
-                    phi_1042_ = !(_e372);
+                    phi_1266_ = !(_e372);
                 }
-                let _e378 = phi_1042_;
+                let _e378 = phi_1266_;
                 if (_e365 > 0.5f) {
-                    phi_1047_ = 1f;
+                    phi_1271_ = 1f;
                 } else {
-                    phi_1047_ = 0f;
+                    phi_1271_ = 0f;
                 }
-                let _e381 = phi_1047_;
-                phi_1050_ = evaluate_Verdict(_e381, _e378);
+                let _e381 = phi_1271_;
+                phi_1274_ = evaluate_Verdict(_e381, _e378);
             } else {
-                phi_1050_ = evaluate_Verdict(1f, true);
+                phi_1274_ = evaluate_Verdict(1f, true);
             }
-            let _e385 = phi_1050_;
-            phi_1051_ = _e385;
+            let _e385 = phi_1274_;
+            phi_1275_ = _e385;
         }
-        let _e387 = phi_1051_;
+        let _e387 = phi_1275_;
         visibility.member[_e53.first_primitive] = _e387.visibility;
-        phi_1055_ = _e387.is_doubted;
-        phi_1056_ = _e53.first_primitive;
+        phi_1279_ = _e387.is_doubted;
+        phi_1280_ = _e53.first_primitive;
     } else {
-        phi_1055_ = false;
-        phi_1056_ = 0u;
+        phi_1279_ = false;
+        phi_1280_ = 0u;
     }
-    let _e392 = phi_1055_;
-    let _e394 = phi_1056_;
+    let _e392 = phi_1279_;
+    let _e394 = phi_1280_;
     if _e392 {
         let _e396 = atomicAdd((&shared_[0u]), 1u);
-        phi_1062_ = _e396;
+        phi_1286_ = _e396;
     } else {
-        phi_1062_ = 0u;
+        phi_1286_ = 0u;
     }
-    let _e398 = phi_1062_;
+    let _e398 = phi_1286_;
     workgroupBarrier();
     if (_e38 == 0u) {
         let _e402 = atomicLoad((&shared_[0u]));

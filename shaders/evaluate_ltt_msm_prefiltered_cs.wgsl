@@ -82,37 +82,37 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_149_: lt_bvh_traverse_Tree;
-    var phi_150_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
-    var phi_152_: bool;
-    var phi_157_: lt_bvh_traverse_Tree;
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_153_: bool;
+    var phi_158_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_149_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_150_ = false;
+            phi_150_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_151_ = false;
         } else {
-            phi_149_ = lt_bvh_traverse_Tree();
-            phi_150_ = true;
+            phi_150_ = lt_bvh_traverse_Tree();
+            phi_151_ = true;
         }
-        let _e47 = phi_149_;
-        let _e49 = phi_150_;
-        phi_151_ = _e47;
-        phi_152_ = _e49;
+        let _e48 = phi_150_;
+        let _e50 = phi_151_;
+        phi_152_ = _e48;
+        phi_153_ = _e50;
     } else {
-        phi_151_ = lt_bvh_traverse_Tree();
-        phi_152_ = true;
+        phi_152_ = lt_bvh_traverse_Tree();
+        phi_153_ = true;
     }
-    let _e51 = phi_151_;
-    let _e53 = phi_152_;
-    if _e53 {
-        phi_157_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e52 = phi_152_;
+    let _e54 = phi_153_;
+    if _e54 {
+        phi_158_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_157_ = _e51;
+        phi_158_ = _e52;
     }
-    let _e58 = phi_157_;
-    return lt_bvh_traverse_Tree(_e58.root, _e58.first_primitive);
+    let _e59 = phi_158_;
+    return lt_bvh_traverse_Tree(_e59.root, _e59.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -124,444 +124,495 @@ fn lt_shaders_evaluate_to_light(param_4: vec3<f32>, param_5: vec4<f32>) -> vec3<
 }
 
 fn lt_shaders_evaluate_quad_indices(param_6: i32, param_7: i32, param_8: u32) -> array<u32, 4> {
-    var phi_191_: i32;
-    var phi_196_: i32;
-    var phi_201_: i32;
-    var phi_206_: i32;
-    var phi_215_: i32;
-    var phi_220_: i32;
-    var phi_225_: i32;
-    var phi_230_: i32;
+    var phi_192_: i32;
+    var phi_197_: i32;
+    var phi_202_: i32;
+    var phi_207_: i32;
+    var phi_216_: i32;
+    var phi_221_: i32;
+    var phi_226_: i32;
+    var phi_231_: i32;
 
-    let _e38 = (bitcast<i32>(param_8) - 1i);
+    let _e39 = (bitcast<i32>(param_8) - 1i);
     if (param_6 > 0i) {
-        phi_191_ = param_6;
+        phi_192_ = param_6;
     } else {
-        phi_191_ = 0i;
+        phi_192_ = 0i;
     }
-    let _e41 = phi_191_;
+    let _e42 = phi_192_;
     if (param_7 > 0i) {
-        phi_196_ = param_7;
+        phi_197_ = param_7;
     } else {
-        phi_196_ = 0i;
+        phi_197_ = 0i;
     }
-    let _e44 = phi_196_;
-    if (_e41 < _e38) {
-        phi_201_ = _e41;
+    let _e45 = phi_197_;
+    if (_e42 < _e39) {
+        phi_202_ = _e42;
     } else {
-        phi_201_ = _e38;
+        phi_202_ = _e39;
     }
-    let _e47 = phi_201_;
-    if (_e44 < _e38) {
-        phi_206_ = _e44;
+    let _e48 = phi_202_;
+    if (_e45 < _e39) {
+        phi_207_ = _e45;
     } else {
-        phi_206_ = _e38;
+        phi_207_ = _e39;
     }
-    let _e50 = phi_206_;
-    let _e51 = bitcast<u32>(_e47);
-    let _e53 = (param_6 + 1i);
-    let _e54 = (param_7 + 1i);
-    if (_e53 > 0i) {
-        phi_215_ = _e53;
-    } else {
-        phi_215_ = 0i;
-    }
-    let _e57 = phi_215_;
+    let _e51 = phi_207_;
+    let _e52 = bitcast<u32>(_e48);
+    let _e54 = (param_6 + 1i);
+    let _e55 = (param_7 + 1i);
     if (_e54 > 0i) {
-        phi_220_ = _e54;
+        phi_216_ = _e54;
     } else {
-        phi_220_ = 0i;
+        phi_216_ = 0i;
     }
-    let _e60 = phi_220_;
-    if (_e57 < _e38) {
-        phi_225_ = _e57;
+    let _e58 = phi_216_;
+    if (_e55 > 0i) {
+        phi_221_ = _e55;
     } else {
-        phi_225_ = _e38;
+        phi_221_ = 0i;
     }
-    let _e63 = phi_225_;
-    if (_e60 < _e38) {
-        phi_230_ = _e60;
+    let _e61 = phi_221_;
+    if (_e58 < _e39) {
+        phi_226_ = _e58;
     } else {
-        phi_230_ = _e38;
+        phi_226_ = _e39;
     }
-    let _e66 = phi_230_;
-    let _e67 = bitcast<u32>(_e63);
-    let _e69 = (bitcast<u32>(_e50) * param_8);
-    let _e70 = (bitcast<u32>(_e66) * param_8);
-    return array<u32, 4>((_e69 + _e51), (_e69 + _e67), (_e70 + _e51), (_e70 + _e67));
+    let _e64 = phi_226_;
+    if (_e61 < _e39) {
+        phi_231_ = _e61;
+    } else {
+        phi_231_ = _e39;
+    }
+    let _e67 = phi_231_;
+    let _e68 = bitcast<u32>(_e64);
+    let _e70 = (bitcast<u32>(_e51) * param_8);
+    let _e71 = (bitcast<u32>(_e67) * param_8);
+    return array<u32, 4>((_e70 + _e52), (_e70 + _e68), (_e71 + _e52), (_e71 + _e68));
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_9: ptr<function, f32>, param_10: vec4<f32>, param_11: f32) -> f32 {
-    var phi_282_: f32;
     var phi_283_: f32;
     var phi_284_: f32;
-    var phi_319_: vec2<f32>;
-    var phi_353_: f32;
-    var phi_354_: f32;
-    var phi_355_: f32;
-    var phi_384_: f32;
-    var phi_385_: f32;
+    var phi_285_: f32;
+    var phi_308_: f32;
+    var phi_309_: f32;
+    var phi_310_: f32;
+    var phi_311_: f32;
+    var phi_312_: bool;
+    var phi_313_: f32;
+    var phi_314_: bool;
+    var phi_352_: vec2<f32>;
     var phi_386_: f32;
-    var phi_390_: f32;
-    var phi_391_: f32;
-    var phi_392_: f32;
+    var phi_387_: f32;
+    var phi_388_: f32;
+    var phi_417_: f32;
+    var phi_418_: f32;
+    var phi_419_: f32;
+    var phi_423_: f32;
+    var phi_424_: f32;
+    var phi_425_: f32;
+    var phi_426_: f32;
 
-    let _e37 = (*param_9);
-    let _e38 = (1f - _e37);
-    let _e47 = (0.5f * _e37);
-    let _e48 = ((param_10.x * _e38) + _e47);
-    let _e49 = ((param_10.y * _e38) + _e47);
-    let _e53 = (_e49 - (_e48 * _e48));
-    let _e55 = (((param_10.z * _e38) + _e47) - (_e48 * _e49));
+    let _e38 = (*param_9);
+    let _e39 = (1f - _e38);
+    let _e48 = (0.5f * _e38);
+    let _e49 = ((param_10.x * _e39) + _e48);
+    let _e50 = ((param_10.y * _e39) + _e48);
+    let _e52 = ((param_10.w * _e39) + _e48);
+    let _e54 = (_e50 - (_e49 * _e49));
+    let _e56 = (((param_10.z * _e39) + _e48) - (_e49 * _e50));
     if ((bitcast<u32>(param_11) & 2147483647u) > 2139095040u) {
-        phi_284_ = param_11;
+        phi_285_ = param_11;
     } else {
         if (param_11 < 0f) {
-            phi_283_ = 0f;
+            phi_284_ = 0f;
         } else {
             if (param_11 > 1f) {
-                phi_282_ = 1f;
+                phi_283_ = 1f;
             } else {
-                phi_282_ = param_11;
+                phi_283_ = param_11;
             }
-            let _e67 = phi_282_;
-            phi_283_ = _e67;
+            let _e68 = phi_283_;
+            phi_284_ = _e68;
         }
-        let _e69 = phi_283_;
-        phi_284_ = _e69;
+        let _e70 = phi_284_;
+        phi_285_ = _e70;
     }
-    let _e71 = phi_284_;
-    let _e72 = (_e55 / _e53);
-    let _e73 = (_e71 - _e48);
-    let _e79 = (((((_e71 * _e71) - _e49) - (_e72 * _e73)) * _e53) / (((((param_10.w * _e38) + _e47) - (_e49 * _e49)) * _e53) - (_e55 * _e55)));
-    let _e82 = ((_e73 / _e53) - (_e72 * _e79));
-    let _e88 = ((0.5f * _e82) / _e79);
-    let _e91 = ((_e88 * _e88) - (((1f - (_e82 * _e48)) - (_e79 * _e49)) / _e79));
-    if (_e91 >= 0f) {
-        let _e93 = sqrt(_e91);
-        phi_319_ = vec2<f32>((-(_e88) - _e93), (-(_e88) + _e93));
-    } else {
-        phi_319_ = vec2(bitcast<f32>((bitcast<u32>(_e91) | 2143289344u)));
-    }
-    let _e104 = phi_319_;
-    if (_e71 <= _e104.x) {
-        phi_392_ = 1f;
-    } else {
-        if (_e71 > _e104.y) {
-            let _e117 = (((_e49 - (_e48 * (_e104.x + _e104.y))) + (_e104.x * _e104.y)) / ((_e71 - _e104.x) * (_e71 - _e104.y)));
-            if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
-                phi_355_ = _e117;
+    let _e72 = phi_285_;
+    if (_e49 == _e52) {
+        if (_e72 > 0f) {
+            if ((bitcast<u32>(_e49) & 2147483647u) > 2139095040u) {
+                phi_310_ = _e49;
             } else {
-                if (_e117 < 0f) {
-                    phi_354_ = 0f;
+                if (_e49 < 0f) {
+                    phi_309_ = 0f;
                 } else {
-                    if (_e117 > 1f) {
-                        phi_353_ = 1f;
+                    if (_e49 > 1f) {
+                        phi_308_ = 1f;
                     } else {
-                        phi_353_ = _e117;
+                        phi_308_ = _e49;
                     }
-                    let _e124 = phi_353_;
-                    phi_354_ = _e124;
+                    let _e81 = phi_308_;
+                    phi_309_ = _e81;
                 }
-                let _e126 = phi_354_;
-                phi_355_ = _e126;
+                let _e83 = phi_309_;
+                phi_310_ = _e83;
             }
-            let _e128 = phi_355_;
-            phi_391_ = _e128;
+            let _e85 = phi_310_;
+            phi_311_ = _e85;
+            phi_312_ = false;
         } else {
-            if (_e71 > _e104.x) {
-                let _e139 = (1f - (((_e49 - (_e48 * (_e71 + _e104.y))) + (_e71 * _e104.y)) / ((_e104.x - _e71) * (_e104.x - _e104.y))));
+            phi_311_ = f32();
+            phi_312_ = true;
+        }
+        let _e87 = phi_311_;
+        let _e89 = phi_312_;
+        phi_313_ = _e87;
+        phi_314_ = _e89;
+    } else {
+        phi_313_ = f32();
+        phi_314_ = true;
+    }
+    let _e91 = phi_313_;
+    let _e93 = phi_314_;
+    if _e93 {
+        let _e94 = (_e56 / _e54);
+        let _e95 = (_e72 - _e49);
+        let _e101 = (((((_e72 * _e72) - _e50) - (_e94 * _e95)) * _e54) / (((_e52 - (_e50 * _e50)) * _e54) - (_e56 * _e56)));
+        let _e104 = ((_e95 / _e54) - (_e94 * _e101));
+        let _e110 = ((0.5f * _e104) / _e101);
+        let _e113 = ((_e110 * _e110) - (((1f - (_e104 * _e49)) - (_e101 * _e50)) / _e101));
+        if (_e113 >= 0f) {
+            let _e115 = sqrt(_e113);
+            phi_352_ = vec2<f32>((-(_e110) - _e115), (-(_e110) + _e115));
+        } else {
+            phi_352_ = vec2(bitcast<f32>((bitcast<u32>(_e113) | 2143289344u)));
+        }
+        let _e126 = phi_352_;
+        if (_e72 <= _e126.x) {
+            phi_425_ = 1f;
+        } else {
+            if (_e72 > _e126.y) {
+                let _e139 = (((_e50 - (_e49 * (_e126.x + _e126.y))) + (_e126.x * _e126.y)) / ((_e72 - _e126.x) * (_e72 - _e126.y)));
                 if ((bitcast<u32>(_e139) & 2147483647u) > 2139095040u) {
-                    phi_386_ = _e139;
+                    phi_388_ = _e139;
                 } else {
                     if (_e139 < 0f) {
-                        phi_385_ = 0f;
+                        phi_387_ = 0f;
                     } else {
                         if (_e139 > 1f) {
-                            phi_384_ = 1f;
+                            phi_386_ = 1f;
                         } else {
-                            phi_384_ = _e139;
+                            phi_386_ = _e139;
                         }
-                        let _e146 = phi_384_;
-                        phi_385_ = _e146;
+                        let _e146 = phi_386_;
+                        phi_387_ = _e146;
                     }
-                    let _e148 = phi_385_;
-                    phi_386_ = _e148;
+                    let _e148 = phi_387_;
+                    phi_388_ = _e148;
                 }
-                let _e150 = phi_386_;
-                phi_390_ = _e150;
+                let _e150 = phi_388_;
+                phi_424_ = _e150;
             } else {
-                phi_390_ = bitcast<f32>((bitcast<u32>(_e104.x) | 2143289344u));
+                if (_e72 > _e126.x) {
+                    let _e161 = (1f - (((_e50 - (_e49 * (_e72 + _e126.y))) + (_e72 * _e126.y)) / ((_e126.x - _e72) * (_e126.x - _e126.y))));
+                    if ((bitcast<u32>(_e161) & 2147483647u) > 2139095040u) {
+                        phi_419_ = _e161;
+                    } else {
+                        if (_e161 < 0f) {
+                            phi_418_ = 0f;
+                        } else {
+                            if (_e161 > 1f) {
+                                phi_417_ = 1f;
+                            } else {
+                                phi_417_ = _e161;
+                            }
+                            let _e168 = phi_417_;
+                            phi_418_ = _e168;
+                        }
+                        let _e170 = phi_418_;
+                        phi_419_ = _e170;
+                    }
+                    let _e172 = phi_419_;
+                    phi_423_ = _e172;
+                } else {
+                    phi_423_ = bitcast<f32>((bitcast<u32>(_e126.x) | 2143289344u));
+                }
+                let _e177 = phi_423_;
+                phi_424_ = _e177;
             }
-            let _e155 = phi_390_;
-            phi_391_ = _e155;
+            let _e179 = phi_424_;
+            phi_425_ = _e179;
         }
-        let _e157 = phi_391_;
-        phi_392_ = _e157;
+        let _e181 = phi_425_;
+        phi_426_ = _e181;
+    } else {
+        phi_426_ = _e91;
     }
-    let _e159 = phi_392_;
-    return _e159;
+    let _e183 = phi_426_;
+    return _e183;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_446_: bool;
-    var phi_447_: bool;
-    var phi_448_: bool;
-    var phi_449_: bool;
-    var phi_453_: bool;
-    var phi_488_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_492_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_585_: bool;
-    var phi_586_: bool;
-    var phi_587_: bool;
-    var phi_588_: bool;
-    var phi_589_: bool;
-    var phi_590_: bool;
-    var phi_591_: bool;
-    var phi_592_: bool;
-    var phi_593_: bool;
-    var phi_594_: bool;
-    var phi_595_: bool;
-    var phi_596_: bool;
-    var phi_600_: bool;
-    var phi_745_: bool;
-    var phi_753_: bool;
-    var phi_758_: f32;
-    var phi_761_: evaluate_Verdict;
-    var phi_762_: evaluate_Verdict;
-    var phi_766_: bool;
-    var phi_767_: u32;
-    var phi_773_: u32;
+    var phi_480_: bool;
+    var phi_481_: bool;
+    var phi_482_: bool;
+    var phi_483_: bool;
+    var phi_487_: bool;
+    var phi_522_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_526_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_619_: bool;
+    var phi_620_: bool;
+    var phi_621_: bool;
+    var phi_622_: bool;
+    var phi_623_: bool;
+    var phi_624_: bool;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_627_: bool;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: bool;
+    var phi_634_: bool;
+    var phi_779_: bool;
+    var phi_787_: bool;
+    var phi_792_: f32;
+    var phi_795_: evaluate_Verdict;
+    var phi_796_: evaluate_Verdict;
+    var phi_800_: bool;
+    var phi_801_: u32;
+    var phi_807_: u32;
 
-    let _e35 = id_1;
-    let _e36 = local_2;
-    let _e41 = arrayLength((&map.member));
-    if (_e36 == 0u) {
+    let _e36 = id_1;
+    let _e37 = local_2;
+    let _e42 = arrayLength((&map.member));
+    if (_e37 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e48 = p.member.size[0u];
-    let _e50 = p.member.size[1u];
-    let _e51 = lt_shaders_entry_pixel_index(_e35, _e48, _e50);
-    if (bitcast<i32>(_e51.root) != 0i) {
-        let _e58 = p.member.light;
-        let _e61 = samples.member[_e51.first_primitive].normal[0u];
-        let _e63 = global[0u];
-        if (_e61 == _e63) {
-            let _e66 = samples.member[_e51.first_primitive].normal[1u];
-            let _e68 = global[1u];
-            if (_e66 == _e68) {
-                let _e71 = samples.member[_e51.first_primitive].normal[2u];
-                let _e73 = global[2u];
-                phi_446_ = (_e71 == _e73);
-                phi_447_ = false;
+    let _e49 = p.member.size[0u];
+    let _e51 = p.member.size[1u];
+    let _e52 = lt_shaders_entry_pixel_index(_e36, _e49, _e51);
+    if (bitcast<i32>(_e52.root) != 0i) {
+        let _e59 = p.member.light;
+        let _e62 = samples.member[_e52.first_primitive].normal[0u];
+        let _e64 = global[0u];
+        if (_e62 == _e64) {
+            let _e67 = samples.member[_e52.first_primitive].normal[1u];
+            let _e69 = global[1u];
+            if (_e67 == _e69) {
+                let _e72 = samples.member[_e52.first_primitive].normal[2u];
+                let _e74 = global[2u];
+                phi_480_ = (_e72 == _e74);
+                phi_481_ = false;
             } else {
-                phi_446_ = bool();
-                phi_447_ = true;
+                phi_480_ = bool();
+                phi_481_ = true;
             }
-            let _e76 = phi_446_;
-            let _e78 = phi_447_;
-            phi_448_ = _e76;
-            phi_449_ = _e78;
+            let _e77 = phi_480_;
+            let _e79 = phi_481_;
+            phi_482_ = _e77;
+            phi_483_ = _e79;
         } else {
-            phi_448_ = bool();
-            phi_449_ = true;
+            phi_482_ = bool();
+            phi_483_ = true;
         }
-        let _e80 = phi_448_;
-        let _e82 = phi_449_;
-        if _e82 {
-            phi_453_ = false;
+        let _e81 = phi_482_;
+        let _e83 = phi_483_;
+        if _e83 {
+            phi_487_ = false;
         } else {
-            phi_453_ = _e80;
+            phi_487_ = _e81;
         }
-        let _e84 = phi_453_;
-        if !(_e84) {
-            let _e87 = samples.member[_e51.first_primitive].normal;
-            let _e89 = samples.member[_e51.first_primitive].position;
-            let _e90 = lt_shaders_evaluate_to_light(_e89, _e58);
-            if ((((_e87.x * _e90.x) + (_e87.y * _e90.y)) + (_e87.z * _e90.z)) > 0f) {
-                let _e104 = samples.member[_e51.first_primitive].flags;
-                let _e112 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e118 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e112.unnamed.visibility, false), _e112.unnamed_1);
-                phi_488_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e118.unnamed, ((_e104 & 1u) == 0u));
+        let _e85 = phi_487_;
+        if !(_e85) {
+            let _e88 = samples.member[_e52.first_primitive].normal;
+            let _e90 = samples.member[_e52.first_primitive].position;
+            let _e91 = lt_shaders_evaluate_to_light(_e90, _e59);
+            if ((((_e88.x * _e91.x) + (_e88.y * _e91.y)) + (_e88.z * _e91.z)) > 0f) {
+                let _e105 = samples.member[_e52.first_primitive].flags;
+                let _e113 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e119 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e113.unnamed.visibility, false), _e113.unnamed_1);
+                phi_522_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e119.unnamed, ((_e105 & 1u) == 0u));
             } else {
-                let _e127 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e127.unnamed.visibility, false), _e127.unnamed_1);
-                phi_488_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e133.unnamed, true);
+                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e128.unnamed.visibility, false), _e128.unnamed_1);
+                phi_522_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e134.unnamed, true);
             }
-            let _e138 = phi_488_;
-            phi_492_ = _e138;
+            let _e139 = phi_522_;
+            phi_526_ = _e139;
         } else {
-            let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e144.unnamed.visibility, false), _e144.unnamed_1);
-            phi_492_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e150.unnamed, true);
+            let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e145.unnamed.visibility, false), _e145.unnamed_1);
+            phi_526_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e151.unnamed, true);
         }
-        let _e155 = phi_492_;
-        if _e155.unnamed_1 {
-            phi_762_ = evaluate_Verdict(_e155.unnamed.visibility, _e155.unnamed.is_doubted);
+        let _e156 = phi_526_;
+        if _e156.unnamed_1 {
+            phi_796_ = evaluate_Verdict(_e156.unnamed.visibility, _e156.unnamed.is_doubted);
         } else {
-            let _e163 = samples.member[_e51.first_primitive].position;
-            let _e169 = p.member.projection.row_w;
-            let _e180 = ((((_e169.x * _e163.x) + (_e169.y * _e163.y)) + (_e169.z * _e163.z)) + (_e169.w * 1f));
-            let _e182 = p.member.projection.row_x;
-            let _e194 = (((((_e182.x * _e163.x) + (_e182.y * _e163.y)) + (_e182.z * _e163.z)) + (_e182.w * 1f)) / _e180);
-            let _e196 = p.member.projection.row_y;
-            let _e208 = (((((_e196.x * _e163.x) + (_e196.y * _e163.y)) + (_e196.z * _e163.z)) + (_e196.w * 1f)) / _e180);
-            let _e210 = p.member.projection.row_z;
-            let _e221 = ((((_e210.x * _e163.x) + (_e210.y * _e163.y)) + (_e210.z * _e163.z)) + (_e210.w * 1f));
-            if (_e180 > 0f) {
-                if (_e194 >= 0f) {
-                    if (_e194 <= 1f) {
-                        if (_e208 >= 0f) {
-                            if (_e208 <= 1f) {
-                                if (_e221 >= 0f) {
-                                    phi_585_ = (_e221 <= 1f);
-                                    phi_586_ = false;
+            let _e164 = samples.member[_e52.first_primitive].position;
+            let _e170 = p.member.projection.row_w;
+            let _e181 = ((((_e170.x * _e164.x) + (_e170.y * _e164.y)) + (_e170.z * _e164.z)) + (_e170.w * 1f));
+            let _e183 = p.member.projection.row_x;
+            let _e195 = (((((_e183.x * _e164.x) + (_e183.y * _e164.y)) + (_e183.z * _e164.z)) + (_e183.w * 1f)) / _e181);
+            let _e197 = p.member.projection.row_y;
+            let _e209 = (((((_e197.x * _e164.x) + (_e197.y * _e164.y)) + (_e197.z * _e164.z)) + (_e197.w * 1f)) / _e181);
+            let _e211 = p.member.projection.row_z;
+            let _e222 = ((((_e211.x * _e164.x) + (_e211.y * _e164.y)) + (_e211.z * _e164.z)) + (_e211.w * 1f));
+            if (_e181 > 0f) {
+                if (_e195 >= 0f) {
+                    if (_e195 <= 1f) {
+                        if (_e209 >= 0f) {
+                            if (_e209 <= 1f) {
+                                if (_e222 >= 0f) {
+                                    phi_619_ = (_e222 <= 1f);
+                                    phi_620_ = false;
                                 } else {
-                                    phi_585_ = bool();
-                                    phi_586_ = true;
+                                    phi_619_ = bool();
+                                    phi_620_ = true;
                                 }
-                                let _e230 = phi_585_;
-                                let _e232 = phi_586_;
-                                phi_587_ = _e230;
-                                phi_588_ = _e232;
+                                let _e231 = phi_619_;
+                                let _e233 = phi_620_;
+                                phi_621_ = _e231;
+                                phi_622_ = _e233;
                             } else {
-                                phi_587_ = bool();
-                                phi_588_ = true;
+                                phi_621_ = bool();
+                                phi_622_ = true;
                             }
-                            let _e234 = phi_587_;
-                            let _e236 = phi_588_;
-                            phi_589_ = _e234;
-                            phi_590_ = _e236;
+                            let _e235 = phi_621_;
+                            let _e237 = phi_622_;
+                            phi_623_ = _e235;
+                            phi_624_ = _e237;
                         } else {
-                            phi_589_ = bool();
-                            phi_590_ = true;
+                            phi_623_ = bool();
+                            phi_624_ = true;
                         }
-                        let _e238 = phi_589_;
-                        let _e240 = phi_590_;
-                        phi_591_ = _e238;
-                        phi_592_ = _e240;
+                        let _e239 = phi_623_;
+                        let _e241 = phi_624_;
+                        phi_625_ = _e239;
+                        phi_626_ = _e241;
                     } else {
-                        phi_591_ = bool();
-                        phi_592_ = true;
+                        phi_625_ = bool();
+                        phi_626_ = true;
                     }
-                    let _e242 = phi_591_;
-                    let _e244 = phi_592_;
-                    phi_593_ = _e242;
-                    phi_594_ = _e244;
+                    let _e243 = phi_625_;
+                    let _e245 = phi_626_;
+                    phi_627_ = _e243;
+                    phi_628_ = _e245;
                 } else {
-                    phi_593_ = bool();
-                    phi_594_ = true;
+                    phi_627_ = bool();
+                    phi_628_ = true;
                 }
-                let _e246 = phi_593_;
-                let _e248 = phi_594_;
-                phi_595_ = _e246;
-                phi_596_ = _e248;
+                let _e247 = phi_627_;
+                let _e249 = phi_628_;
+                phi_629_ = _e247;
+                phi_630_ = _e249;
             } else {
-                phi_595_ = bool();
-                phi_596_ = true;
+                phi_629_ = bool();
+                phi_630_ = true;
             }
-            let _e250 = phi_595_;
-            let _e252 = phi_596_;
-            if _e252 {
-                phi_600_ = false;
+            let _e251 = phi_629_;
+            let _e253 = phi_630_;
+            if _e253 {
+                phi_634_ = false;
             } else {
-                phi_600_ = _e250;
+                phi_634_ = _e251;
             }
-            let _e254 = phi_600_;
-            if _e254 {
-                let _e256 = p.member.map_size;
-                let _e257 = f32(_e256);
-                let _e260 = ((_e194 * _e257) - 0.5f);
-                let _e261 = ((_e208 * _e257) - 0.5f);
-                let _e262 = floor(_e260);
+            let _e255 = phi_634_;
+            if _e255 {
+                let _e257 = p.member.map_size;
+                let _e258 = f32(_e257);
+                let _e261 = ((_e195 * _e258) - 0.5f);
+                let _e262 = ((_e209 * _e258) - 0.5f);
                 let _e263 = floor(_e261);
-                let _e264 = (_e260 - _e262);
+                let _e264 = floor(_e262);
                 let _e265 = (_e261 - _e263);
-                let _e286 = ((1f - _e264) * (1f - _e265));
-                let _e288 = (_e264 * (1f - _e265));
-                let _e290 = ((1f - _e264) * _e265);
-                let _e291 = (_e264 * _e265);
-                let _e293 = p.member.test;
-                let _e294 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e293);
-                let _e296 = p.member.map_size;
-                local_1 = _e294;
-                let _e297 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e262), i32(-2147483648), (_e262 < bitcast<f32>(3472883712u))), 2147483647i, (_e262 > bitcast<f32>(1325400063u))), (_e262 == _e262)), select(0i, select(select(i32(_e263), i32(-2147483648), (_e263 < bitcast<f32>(3472883712u))), 2147483647i, (_e263 > bitcast<f32>(1325400063u))), (_e263 == _e263)), _e296);
-                if (_e297[0] < _e41) {
+                let _e266 = (_e262 - _e264);
+                let _e287 = ((1f - _e265) * (1f - _e266));
+                let _e289 = (_e265 * (1f - _e266));
+                let _e291 = ((1f - _e265) * _e266);
+                let _e292 = (_e265 * _e266);
+                let _e294 = p.member.test;
+                let _e295 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e294);
+                let _e297 = p.member.map_size;
+                local_1 = _e295;
+                let _e298 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e263), i32(-2147483648), (_e263 < bitcast<f32>(3472883712u))), 2147483647i, (_e263 > bitcast<f32>(1325400063u))), (_e263 == _e263)), select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)), _e297);
+                if (_e298[0] < _e42) {
                 } else {
                     return;
                 }
-                let _e302 = map.member[(0u + _e297[0])];
-                if (_e297[1] < _e41) {
+                let _e303 = map.member[(0u + _e298[0])];
+                if (_e298[1] < _e42) {
                 } else {
                     return;
                 }
-                let _e315 = map.member[(0u + _e297[1])];
-                if (_e297[2] < _e41) {
+                let _e316 = map.member[(0u + _e298[1])];
+                if (_e298[2] < _e42) {
                 } else {
                     return;
                 }
-                let _e332 = map.member[(0u + _e297[2])];
-                if (_e297[3] < _e41) {
+                let _e333 = map.member[(0u + _e298[2])];
+                if (_e298[3] < _e42) {
                 } else {
                     return;
                 }
-                let _e349 = map.member[(0u + _e297[3])];
-                let _e363 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e302.x * _e286) + (_e315.x * _e288)) + (_e332.x * _e290)) + (_e349.x * _e291)), ((((_e302.y * _e286) + (_e315.y * _e288)) + (_e332.y * _e290)) + (_e349.y * _e291)), ((((_e302.z * _e286) + (_e315.z * _e288)) + (_e332.z * _e290)) + (_e349.z * _e291)), ((((_e302.w * _e286) + (_e315.w * _e288)) + (_e332.w * _e290)) + (_e349.w * _e291))), _e221);
-                let _e365 = p.member.epsilon;
-                if (_e363 <= _e365) {
-                    phi_745_ = true;
+                let _e350 = map.member[(0u + _e298[3])];
+                let _e364 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e303.x * _e287) + (_e316.x * _e289)) + (_e333.x * _e291)) + (_e350.x * _e292)), ((((_e303.y * _e287) + (_e316.y * _e289)) + (_e333.y * _e291)) + (_e350.y * _e292)), ((((_e303.z * _e287) + (_e316.z * _e289)) + (_e333.z * _e291)) + (_e350.z * _e292)), ((((_e303.w * _e287) + (_e316.w * _e289)) + (_e333.w * _e291)) + (_e350.w * _e292))), _e222);
+                let _e366 = p.member.epsilon;
+                if (_e364 <= _e366) {
+                    phi_779_ = true;
                 } else {
-                    phi_745_ = (_e363 >= (1f - _e365));
+                    phi_779_ = (_e364 >= (1f - _e366));
                 }
-                let _e370 = phi_745_;
-                if ((bitcast<u32>(_e363) & 2147483647u) > 2139095040u) {
-                    phi_753_ = true;
+                let _e371 = phi_779_;
+                if ((bitcast<u32>(_e364) & 2147483647u) > 2139095040u) {
+                    phi_787_ = true;
                 } else {
-                    phi_753_ = !(_e370);
+                    phi_787_ = !(_e371);
                 }
-                let _e376 = phi_753_;
-                if (_e363 > 0.5f) {
-                    phi_758_ = 1f;
+                let _e377 = phi_787_;
+                if (_e364 > 0.5f) {
+                    phi_792_ = 1f;
                 } else {
-                    phi_758_ = 0f;
+                    phi_792_ = 0f;
                 }
-                let _e379 = phi_758_;
-                phi_761_ = evaluate_Verdict(_e379, _e376);
+                let _e380 = phi_792_;
+                phi_795_ = evaluate_Verdict(_e380, _e377);
             } else {
-                phi_761_ = evaluate_Verdict(1f, true);
+                phi_795_ = evaluate_Verdict(1f, true);
             }
-            let _e383 = phi_761_;
-            phi_762_ = _e383;
+            let _e384 = phi_795_;
+            phi_796_ = _e384;
         }
-        let _e385 = phi_762_;
-        visibility.member[_e51.first_primitive] = _e385.visibility;
-        phi_766_ = _e385.is_doubted;
-        phi_767_ = _e51.first_primitive;
+        let _e386 = phi_796_;
+        visibility.member[_e52.first_primitive] = _e386.visibility;
+        phi_800_ = _e386.is_doubted;
+        phi_801_ = _e52.first_primitive;
     } else {
-        phi_766_ = false;
-        phi_767_ = 0u;
+        phi_800_ = false;
+        phi_801_ = 0u;
     }
-    let _e390 = phi_766_;
-    let _e392 = phi_767_;
-    if _e390 {
-        let _e394 = atomicAdd((&shared_[0u]), 1u);
-        phi_773_ = _e394;
+    let _e391 = phi_800_;
+    let _e393 = phi_801_;
+    if _e391 {
+        let _e395 = atomicAdd((&shared_[0u]), 1u);
+        phi_807_ = _e395;
     } else {
-        phi_773_ = 0u;
+        phi_807_ = 0u;
     }
-    let _e396 = phi_773_;
+    let _e397 = phi_807_;
     workgroupBarrier();
-    if (_e36 == 0u) {
-        let _e400 = atomicLoad((&shared_[0u]));
-        let _e401 = atomicAdd((&list.member[3u]), _e400);
-        atomicStore((&shared_[1u]), _e401);
+    if (_e37 == 0u) {
+        let _e401 = atomicLoad((&shared_[0u]));
+        let _e402 = atomicAdd((&list.member[3u]), _e401);
+        atomicStore((&shared_[1u]), _e402);
     }
     workgroupBarrier();
-    if _e390 {
-        let _e404 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e404) + _e396)]), _e392);
+    if _e391 {
+        let _e405 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e405) + _e397)]), _e393);
     }
     return;
 }

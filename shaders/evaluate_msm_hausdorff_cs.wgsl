@@ -214,152 +214,152 @@ fn lt_math_hausdorff_cubic_mass(param_10: vec4<f32>, param_11: f32, param_12: f3
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_15: ptr<function, hankel_HankelFactors>, param_16: f32) -> f32 {
-    var phi_962_: f32;
-    var phi_963_: f32;
-    var phi_964_: f32;
-    var phi_990_: f32;
-    var phi_991_: f32;
-    var phi_992_: f32;
-    var phi_993_: f32;
-    var phi_994_: bool;
-    var phi_995_: f32;
-    var phi_996_: bool;
-    var phi_1024_: f32;
-    var phi_1025_: f32;
-    var phi_1026_: f32;
-    var phi_1027_: f32;
-    var phi_1028_: bool;
-    var phi_1029_: f32;
-    var phi_1030_: bool;
-    var phi_1037_: f32;
-    var phi_1038_: f32;
-    var phi_1039_: f32;
-    var phi_1040_: f32;
+    var phi_1185_: f32;
+    var phi_1186_: f32;
+    var phi_1187_: f32;
+    var phi_1214_: f32;
+    var phi_1215_: f32;
+    var phi_1216_: f32;
+    var phi_1217_: f32;
+    var phi_1218_: bool;
+    var phi_1219_: f32;
+    var phi_1220_: bool;
+    var phi_1248_: f32;
+    var phi_1249_: f32;
+    var phi_1250_: f32;
+    var phi_1251_: f32;
+    var phi_1252_: bool;
+    var phi_1253_: f32;
+    var phi_1254_: bool;
+    var phi_1261_: f32;
+    var phi_1262_: f32;
+    var phi_1263_: f32;
+    var phi_1264_: f32;
 
     let _e35 = (*param_15).moments;
     if (param_16 <= 0f) {
-        phi_1040_ = 1f;
+        phi_1264_ = 1f;
     } else {
         let _e44 = ((_e35.z - ((1f + param_16) * _e35.y)) + (param_16 * _e35.x));
         let _e53 = (((_e35.w - ((1f + param_16) * _e35.z)) + (param_16 * _e35.y)) / _e44);
         if (abs(_e44) <= 0.00000047683716f) {
             let _e67 = (1f - (((_e35.y - (_e35.x * (param_16 + 1f))) + (param_16 * 1f)) / ((0f - param_16) * (0f - 1f))));
             if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-                phi_964_ = _e67;
+                phi_1187_ = _e67;
             } else {
                 if (_e67 < 0f) {
-                    phi_963_ = 0f;
+                    phi_1186_ = 0f;
                 } else {
                     if (_e67 > 1f) {
-                        phi_962_ = 1f;
+                        phi_1185_ = 1f;
                     } else {
-                        phi_962_ = _e67;
+                        phi_1185_ = _e67;
                     }
-                    let _e74 = phi_962_;
-                    phi_963_ = _e74;
+                    let _e74 = phi_1185_;
+                    phi_1186_ = _e74;
                 }
-                let _e76 = phi_963_;
-                phi_964_ = _e76;
+                let _e76 = phi_1186_;
+                phi_1187_ = _e76;
             }
-            let _e78 = phi_964_;
-            phi_1039_ = _e78;
+            let _e78 = phi_1187_;
+            phi_1263_ = _e78;
         } else {
             if (_e53 > 0f) {
                 if (_e53 < param_16) {
-                    let _e81 = lt_math_hausdorff_cubic_mass(_e35, param_16, 0f, _e53, 1f);
-                    let _e82 = lt_math_hausdorff_cubic_mass(_e35, 1f, 0f, _e53, param_16);
-                    let _e83 = (_e81 + _e82);
-                    if ((bitcast<u32>(_e83) & 2147483647u) > 2139095040u) {
-                        phi_992_ = _e83;
+                    let _e81 = lt_math_hausdorff_cubic_mass(_e35, 0f, _e53, param_16, 1f);
+                    let _e83 = lt_math_hausdorff_cubic_mass(_e35, _e53, 0f, param_16, 1f);
+                    let _e84 = ((1f - _e81) - _e83);
+                    if ((bitcast<u32>(_e84) & 2147483647u) > 2139095040u) {
+                        phi_1216_ = _e84;
                     } else {
-                        if (_e83 < 0f) {
-                            phi_991_ = 0f;
+                        if (_e84 < 0f) {
+                            phi_1215_ = 0f;
                         } else {
-                            if (_e83 > 1f) {
-                                phi_990_ = 1f;
+                            if (_e84 > 1f) {
+                                phi_1214_ = 1f;
                             } else {
-                                phi_990_ = _e83;
+                                phi_1214_ = _e84;
                             }
-                            let _e90 = phi_990_;
-                            phi_991_ = _e90;
+                            let _e91 = phi_1214_;
+                            phi_1215_ = _e91;
                         }
-                        let _e92 = phi_991_;
-                        phi_992_ = _e92;
+                        let _e93 = phi_1215_;
+                        phi_1216_ = _e93;
                     }
-                    let _e94 = phi_992_;
-                    phi_993_ = _e94;
-                    phi_994_ = false;
+                    let _e95 = phi_1216_;
+                    phi_1217_ = _e95;
+                    phi_1218_ = false;
                 } else {
-                    phi_993_ = f32();
-                    phi_994_ = true;
+                    phi_1217_ = f32();
+                    phi_1218_ = true;
                 }
-                let _e96 = phi_993_;
-                let _e98 = phi_994_;
-                phi_995_ = _e96;
-                phi_996_ = _e98;
+                let _e97 = phi_1217_;
+                let _e99 = phi_1218_;
+                phi_1219_ = _e97;
+                phi_1220_ = _e99;
             } else {
-                phi_995_ = f32();
-                phi_996_ = true;
+                phi_1219_ = f32();
+                phi_1220_ = true;
             }
-            let _e100 = phi_995_;
-            let _e102 = phi_996_;
-            if _e102 {
+            let _e101 = phi_1219_;
+            let _e103 = phi_1220_;
+            if _e103 {
                 if (_e53 > param_16) {
                     if (_e53 < 1f) {
-                        let _e105 = lt_math_hausdorff_cubic_mass(_e35, 0f, _e53, param_16, 1f);
-                        let _e106 = (1f - _e105);
-                        if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-                            phi_1026_ = _e106;
+                        let _e106 = lt_math_hausdorff_cubic_mass(_e35, 0f, _e53, param_16, 1f);
+                        let _e107 = (1f - _e106);
+                        if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
+                            phi_1250_ = _e107;
                         } else {
-                            if (_e106 < 0f) {
-                                phi_1025_ = 0f;
+                            if (_e107 < 0f) {
+                                phi_1249_ = 0f;
                             } else {
-                                if (_e106 > 1f) {
-                                    phi_1024_ = 1f;
+                                if (_e107 > 1f) {
+                                    phi_1248_ = 1f;
                                 } else {
-                                    phi_1024_ = _e106;
+                                    phi_1248_ = _e107;
                                 }
-                                let _e113 = phi_1024_;
-                                phi_1025_ = _e113;
+                                let _e114 = phi_1248_;
+                                phi_1249_ = _e114;
                             }
-                            let _e115 = phi_1025_;
-                            phi_1026_ = _e115;
+                            let _e116 = phi_1249_;
+                            phi_1250_ = _e116;
                         }
-                        let _e117 = phi_1026_;
-                        phi_1027_ = _e117;
-                        phi_1028_ = false;
+                        let _e118 = phi_1250_;
+                        phi_1251_ = _e118;
+                        phi_1252_ = false;
                     } else {
-                        phi_1027_ = f32();
-                        phi_1028_ = true;
+                        phi_1251_ = f32();
+                        phi_1252_ = true;
                     }
-                    let _e119 = phi_1027_;
-                    let _e121 = phi_1028_;
-                    phi_1029_ = _e119;
-                    phi_1030_ = _e121;
+                    let _e120 = phi_1251_;
+                    let _e122 = phi_1252_;
+                    phi_1253_ = _e120;
+                    phi_1254_ = _e122;
                 } else {
-                    phi_1029_ = f32();
-                    phi_1030_ = true;
+                    phi_1253_ = f32();
+                    phi_1254_ = true;
                 }
-                let _e123 = phi_1029_;
-                let _e125 = phi_1030_;
-                if _e125 {
-                    phi_1037_ = bitcast<f32>((bitcast<u32>(_e53) | 2143289344u));
+                let _e124 = phi_1253_;
+                let _e126 = phi_1254_;
+                if _e126 {
+                    phi_1261_ = bitcast<f32>((bitcast<u32>(_e53) | 2143289344u));
                 } else {
-                    phi_1037_ = _e123;
+                    phi_1261_ = _e124;
                 }
-                let _e130 = phi_1037_;
-                phi_1038_ = _e130;
+                let _e131 = phi_1261_;
+                phi_1262_ = _e131;
             } else {
-                phi_1038_ = _e100;
+                phi_1262_ = _e101;
             }
-            let _e132 = phi_1038_;
-            phi_1039_ = _e132;
+            let _e133 = phi_1262_;
+            phi_1263_ = _e133;
         }
-        let _e134 = phi_1039_;
-        phi_1040_ = _e134;
+        let _e135 = phi_1263_;
+        phi_1264_ = _e135;
     }
-    let _e136 = phi_1040_;
-    return _e136;
+    let _e137 = phi_1264_;
+    return _e137;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_17: ptr<function, f32>, param_18: vec4<f32>, param_19: f32) -> f32 {
@@ -367,23 +367,50 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     var phi_689_: f32;
     var phi_690_: f32;
     var phi_691_: f32;
-    var phi_744_: vec2<f32>;
-    var phi_807_: vec2<f32>;
-    var phi_845_: f32;
-    var phi_846_: f32;
-    var phi_847_: f32;
-    var phi_880_: f32;
-    var phi_881_: f32;
-    var phi_882_: f32;
-    var phi_886_: f32;
-    var phi_887_: f32;
-    var phi_888_: f32;
-    var phi_889_: f32;
-    var phi_890_: bool;
-    var phi_891_: f32;
-    var phi_892_: bool;
-    var phi_903_: f32;
-    var phi_904_: f32;
+    var phi_729_: f32;
+    var phi_730_: f32;
+    var phi_731_: f32;
+    var phi_732_: f32;
+    var phi_733_: bool;
+    var phi_734_: f32;
+    var phi_735_: bool;
+    var phi_791_: vec2<f32>;
+    var phi_829_: f32;
+    var phi_830_: f32;
+    var phi_831_: f32;
+    var phi_864_: f32;
+    var phi_865_: f32;
+    var phi_866_: f32;
+    var phi_870_: f32;
+    var phi_871_: f32;
+    var phi_872_: f32;
+    var phi_873_: f32;
+    var phi_926_: vec2<f32>;
+    var phi_966_: f32;
+    var phi_967_: f32;
+    var phi_968_: f32;
+    var phi_969_: f32;
+    var phi_970_: bool;
+    var phi_971_: f32;
+    var phi_972_: bool;
+    var phi_1028_: vec2<f32>;
+    var phi_1066_: f32;
+    var phi_1067_: f32;
+    var phi_1068_: f32;
+    var phi_1101_: f32;
+    var phi_1102_: f32;
+    var phi_1103_: f32;
+    var phi_1107_: f32;
+    var phi_1108_: f32;
+    var phi_1109_: f32;
+    var phi_1110_: f32;
+    var phi_1111_: f32;
+    var phi_1112_: bool;
+    var phi_1113_: f32;
+    var phi_1114_: bool;
+    var phi_1125_: f32;
+    var phi_1126_: f32;
+    var phi_1127_: f32;
 
     let _e36 = (*param_17);
     let _e37 = (1f - _e36);
@@ -415,135 +442,311 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     }
     let _e77 = phi_691_;
     let _e80 = local.moments[0u];
-    let _e83 = local.moments[1u];
-    let _e91 = local.l32_d22_;
-    let _e93 = local.d22_;
-    let _e94 = (_e91 / _e93);
-    let _e95 = (_e77 - _e80);
-    let _e101 = local.d22_;
-    let _e104 = local.d33_d22_;
-    let _e105 = (((((_e77 * _e77) - _e83) - (_e94 * _e95)) * _e101) / _e104);
-    let _e107 = local.d22_;
-    let _e110 = ((_e95 / _e107) - (_e94 * _e105));
-    let _e116 = ((0.5f * _e110) / _e105);
-    let _e119 = ((_e116 * _e116) - (((1f - (_e110 * _e80)) - (_e105 * _e83)) / _e105));
-    if (_e119 >= 0f) {
-        let _e121 = sqrt(_e119);
-        phi_744_ = vec2<f32>((-(_e116) - _e121), (-(_e116) + _e121));
-    } else {
-        phi_744_ = vec2(bitcast<f32>((bitcast<u32>(_e119) | 2143289344u)));
-    }
-    let _e132 = phi_744_;
-    if (_e132.x >= 0f) {
-        if (_e132.y <= 1f) {
-            let _e139 = local.moments[0u];
-            let _e142 = local.moments[1u];
-            let _e150 = local.l32_d22_;
-            let _e152 = local.d22_;
-            let _e153 = (_e150 / _e152);
-            let _e154 = (_e77 - _e139);
-            let _e160 = local.d22_;
-            let _e163 = local.d33_d22_;
-            let _e164 = (((((_e77 * _e77) - _e142) - (_e153 * _e154)) * _e160) / _e163);
-            let _e166 = local.d22_;
-            let _e169 = ((_e154 / _e166) - (_e153 * _e164));
-            let _e175 = ((0.5f * _e169) / _e164);
-            let _e178 = ((_e175 * _e175) - (((1f - (_e169 * _e139)) - (_e164 * _e142)) / _e164));
-            if (_e178 >= 0f) {
-                let _e180 = sqrt(_e178);
-                phi_807_ = vec2<f32>((-(_e175) - _e180), (-(_e175) + _e180));
-            } else {
-                phi_807_ = vec2(bitcast<f32>((bitcast<u32>(_e178) | 2143289344u)));
-            }
-            let _e191 = phi_807_;
-            if (_e77 <= _e191.x) {
-                phi_888_ = 1f;
-            } else {
-                if (_e77 > _e191.y) {
-                    let _e197 = local.moments;
-                    let _e208 = (((_e197.y - (_e197.x * (_e191.x + _e191.y))) + (_e191.x * _e191.y)) / ((_e77 - _e191.x) * (_e77 - _e191.y)));
-                    if ((bitcast<u32>(_e208) & 2147483647u) > 2139095040u) {
-                        phi_847_ = _e208;
-                    } else {
-                        if (_e208 < 0f) {
-                            phi_846_ = 0f;
-                        } else {
-                            if (_e208 > 1f) {
-                                phi_845_ = 1f;
-                            } else {
-                                phi_845_ = _e208;
-                            }
-                            let _e215 = phi_845_;
-                            phi_846_ = _e215;
-                        }
-                        let _e217 = phi_846_;
-                        phi_847_ = _e217;
-                    }
-                    let _e219 = phi_847_;
-                    phi_887_ = _e219;
+    let _e83 = local.moments[3u];
+    if (_e80 == _e83) {
+        let _e87 = local.moments[0u];
+        let _e90 = local.moments[3u];
+        if (_e87 == _e90) {
+            if (_e77 > 0f) {
+                let _e94 = local.moments;
+                if ((bitcast<u32>(_e94.x) & 2147483647u) > 2139095040u) {
+                    phi_731_ = _e94.x;
                 } else {
-                    if (_e77 > _e191.x) {
-                        let _e222 = local.moments;
-                        let _e234 = (1f - (((_e222.y - (_e222.x * (_e77 + _e191.y))) + (_e77 * _e191.y)) / ((_e191.x - _e77) * (_e191.x - _e191.y))));
-                        if ((bitcast<u32>(_e234) & 2147483647u) > 2139095040u) {
-                            phi_882_ = _e234;
-                        } else {
-                            if (_e234 < 0f) {
-                                phi_881_ = 0f;
-                            } else {
-                                if (_e234 > 1f) {
-                                    phi_880_ = 1f;
-                                } else {
-                                    phi_880_ = _e234;
-                                }
-                                let _e241 = phi_880_;
-                                phi_881_ = _e241;
-                            }
-                            let _e243 = phi_881_;
-                            phi_882_ = _e243;
-                        }
-                        let _e245 = phi_882_;
-                        phi_886_ = _e245;
+                    if (_e94.x < 0f) {
+                        phi_730_ = 0f;
                     } else {
-                        phi_886_ = bitcast<f32>((bitcast<u32>(_e191.x) | 2143289344u));
+                        if (_e94.x > 1f) {
+                            phi_729_ = 1f;
+                        } else {
+                            phi_729_ = _e94.x;
+                        }
+                        let _e102 = phi_729_;
+                        phi_730_ = _e102;
                     }
-                    let _e250 = phi_886_;
-                    phi_887_ = _e250;
+                    let _e104 = phi_730_;
+                    phi_731_ = _e104;
                 }
-                let _e252 = phi_887_;
-                phi_888_ = _e252;
+                let _e106 = phi_731_;
+                phi_732_ = _e106;
+                phi_733_ = false;
+            } else {
+                phi_732_ = f32();
+                phi_733_ = true;
             }
-            let _e254 = phi_888_;
-            phi_889_ = _e254;
-            phi_890_ = false;
+            let _e108 = phi_732_;
+            let _e110 = phi_733_;
+            phi_734_ = _e108;
+            phi_735_ = _e110;
         } else {
-            phi_889_ = f32();
-            phi_890_ = true;
+            phi_734_ = f32();
+            phi_735_ = true;
         }
-        let _e256 = phi_889_;
-        let _e258 = phi_890_;
-        phi_891_ = _e256;
-        phi_892_ = _e258;
-    } else {
-        phi_891_ = f32();
-        phi_892_ = true;
-    }
-    let _e260 = phi_891_;
-    let _e262 = phi_892_;
-    if _e262 {
-        if ((bitcast<u32>(_e132.x) & 2147483647u) > 2139095040u) {
-            phi_903_ = _e132.x;
+        let _e112 = phi_734_;
+        let _e114 = phi_735_;
+        if _e114 {
+            let _e117 = local.moments[0u];
+            let _e120 = local.moments[1u];
+            let _e128 = local.l32_d22_;
+            let _e130 = local.d22_;
+            let _e131 = (_e128 / _e130);
+            let _e132 = (_e77 - _e117);
+            let _e138 = local.d22_;
+            let _e141 = local.d33_d22_;
+            let _e142 = (((((_e77 * _e77) - _e120) - (_e131 * _e132)) * _e138) / _e141);
+            let _e144 = local.d22_;
+            let _e147 = ((_e132 / _e144) - (_e131 * _e142));
+            let _e153 = ((0.5f * _e147) / _e142);
+            let _e156 = ((_e153 * _e153) - (((1f - (_e147 * _e117)) - (_e142 * _e120)) / _e142));
+            if (_e156 >= 0f) {
+                let _e158 = sqrt(_e156);
+                phi_791_ = vec2<f32>((-(_e153) - _e158), (-(_e153) + _e158));
+            } else {
+                phi_791_ = vec2(bitcast<f32>((bitcast<u32>(_e156) | 2143289344u)));
+            }
+            let _e169 = phi_791_;
+            if (_e77 <= _e169.x) {
+                phi_872_ = 1f;
+            } else {
+                if (_e77 > _e169.y) {
+                    let _e175 = local.moments;
+                    let _e186 = (((_e175.y - (_e175.x * (_e169.x + _e169.y))) + (_e169.x * _e169.y)) / ((_e77 - _e169.x) * (_e77 - _e169.y)));
+                    if ((bitcast<u32>(_e186) & 2147483647u) > 2139095040u) {
+                        phi_831_ = _e186;
+                    } else {
+                        if (_e186 < 0f) {
+                            phi_830_ = 0f;
+                        } else {
+                            if (_e186 > 1f) {
+                                phi_829_ = 1f;
+                            } else {
+                                phi_829_ = _e186;
+                            }
+                            let _e193 = phi_829_;
+                            phi_830_ = _e193;
+                        }
+                        let _e195 = phi_830_;
+                        phi_831_ = _e195;
+                    }
+                    let _e197 = phi_831_;
+                    phi_871_ = _e197;
+                } else {
+                    if (_e77 > _e169.x) {
+                        let _e200 = local.moments;
+                        let _e212 = (1f - (((_e200.y - (_e200.x * (_e77 + _e169.y))) + (_e77 * _e169.y)) / ((_e169.x - _e77) * (_e169.x - _e169.y))));
+                        if ((bitcast<u32>(_e212) & 2147483647u) > 2139095040u) {
+                            phi_866_ = _e212;
+                        } else {
+                            if (_e212 < 0f) {
+                                phi_865_ = 0f;
+                            } else {
+                                if (_e212 > 1f) {
+                                    phi_864_ = 1f;
+                                } else {
+                                    phi_864_ = _e212;
+                                }
+                                let _e219 = phi_864_;
+                                phi_865_ = _e219;
+                            }
+                            let _e221 = phi_865_;
+                            phi_866_ = _e221;
+                        }
+                        let _e223 = phi_866_;
+                        phi_870_ = _e223;
+                    } else {
+                        phi_870_ = bitcast<f32>((bitcast<u32>(_e169.x) | 2143289344u));
+                    }
+                    let _e228 = phi_870_;
+                    phi_871_ = _e228;
+                }
+                let _e230 = phi_871_;
+                phi_872_ = _e230;
+            }
+            let _e232 = phi_872_;
+            phi_873_ = _e232;
         } else {
-            let _e266 = lt_math_hausdorff_endpoint_upper_bound((&local), _e77);
-            phi_903_ = _e266;
+            phi_873_ = _e112;
         }
-        let _e268 = phi_903_;
-        phi_904_ = _e268;
+        let _e234 = phi_873_;
+        phi_1127_ = _e234;
     } else {
-        phi_904_ = _e260;
+        let _e237 = local.moments[0u];
+        let _e240 = local.moments[1u];
+        let _e248 = local.l32_d22_;
+        let _e250 = local.d22_;
+        let _e251 = (_e248 / _e250);
+        let _e252 = (_e77 - _e237);
+        let _e258 = local.d22_;
+        let _e261 = local.d33_d22_;
+        let _e262 = (((((_e77 * _e77) - _e240) - (_e251 * _e252)) * _e258) / _e261);
+        let _e264 = local.d22_;
+        let _e267 = ((_e252 / _e264) - (_e251 * _e262));
+        let _e273 = ((0.5f * _e267) / _e262);
+        let _e276 = ((_e273 * _e273) - (((1f - (_e267 * _e237)) - (_e262 * _e240)) / _e262));
+        if (_e276 >= 0f) {
+            let _e278 = sqrt(_e276);
+            phi_926_ = vec2<f32>((-(_e273) - _e278), (-(_e273) + _e278));
+        } else {
+            phi_926_ = vec2(bitcast<f32>((bitcast<u32>(_e276) | 2143289344u)));
+        }
+        let _e289 = phi_926_;
+        if (_e289.x >= 0f) {
+            if (_e289.y <= 1f) {
+                let _e296 = local.moments[0u];
+                let _e299 = local.moments[3u];
+                if (_e296 == _e299) {
+                    if (_e77 > 0f) {
+                        let _e303 = local.moments;
+                        if ((bitcast<u32>(_e303.x) & 2147483647u) > 2139095040u) {
+                            phi_968_ = _e303.x;
+                        } else {
+                            if (_e303.x < 0f) {
+                                phi_967_ = 0f;
+                            } else {
+                                if (_e303.x > 1f) {
+                                    phi_966_ = 1f;
+                                } else {
+                                    phi_966_ = _e303.x;
+                                }
+                                let _e311 = phi_966_;
+                                phi_967_ = _e311;
+                            }
+                            let _e313 = phi_967_;
+                            phi_968_ = _e313;
+                        }
+                        let _e315 = phi_968_;
+                        phi_969_ = _e315;
+                        phi_970_ = false;
+                    } else {
+                        phi_969_ = f32();
+                        phi_970_ = true;
+                    }
+                    let _e317 = phi_969_;
+                    let _e319 = phi_970_;
+                    phi_971_ = _e317;
+                    phi_972_ = _e319;
+                } else {
+                    phi_971_ = f32();
+                    phi_972_ = true;
+                }
+                let _e321 = phi_971_;
+                let _e323 = phi_972_;
+                if _e323 {
+                    let _e326 = local.moments[0u];
+                    let _e329 = local.moments[1u];
+                    let _e337 = local.l32_d22_;
+                    let _e339 = local.d22_;
+                    let _e340 = (_e337 / _e339);
+                    let _e341 = (_e77 - _e326);
+                    let _e347 = local.d22_;
+                    let _e350 = local.d33_d22_;
+                    let _e351 = (((((_e77 * _e77) - _e329) - (_e340 * _e341)) * _e347) / _e350);
+                    let _e353 = local.d22_;
+                    let _e356 = ((_e341 / _e353) - (_e340 * _e351));
+                    let _e362 = ((0.5f * _e356) / _e351);
+                    let _e365 = ((_e362 * _e362) - (((1f - (_e356 * _e326)) - (_e351 * _e329)) / _e351));
+                    if (_e365 >= 0f) {
+                        let _e367 = sqrt(_e365);
+                        phi_1028_ = vec2<f32>((-(_e362) - _e367), (-(_e362) + _e367));
+                    } else {
+                        phi_1028_ = vec2(bitcast<f32>((bitcast<u32>(_e365) | 2143289344u)));
+                    }
+                    let _e378 = phi_1028_;
+                    if (_e77 <= _e378.x) {
+                        phi_1109_ = 1f;
+                    } else {
+                        if (_e77 > _e378.y) {
+                            let _e384 = local.moments;
+                            let _e395 = (((_e384.y - (_e384.x * (_e378.x + _e378.y))) + (_e378.x * _e378.y)) / ((_e77 - _e378.x) * (_e77 - _e378.y)));
+                            if ((bitcast<u32>(_e395) & 2147483647u) > 2139095040u) {
+                                phi_1068_ = _e395;
+                            } else {
+                                if (_e395 < 0f) {
+                                    phi_1067_ = 0f;
+                                } else {
+                                    if (_e395 > 1f) {
+                                        phi_1066_ = 1f;
+                                    } else {
+                                        phi_1066_ = _e395;
+                                    }
+                                    let _e402 = phi_1066_;
+                                    phi_1067_ = _e402;
+                                }
+                                let _e404 = phi_1067_;
+                                phi_1068_ = _e404;
+                            }
+                            let _e406 = phi_1068_;
+                            phi_1108_ = _e406;
+                        } else {
+                            if (_e77 > _e378.x) {
+                                let _e409 = local.moments;
+                                let _e421 = (1f - (((_e409.y - (_e409.x * (_e77 + _e378.y))) + (_e77 * _e378.y)) / ((_e378.x - _e77) * (_e378.x - _e378.y))));
+                                if ((bitcast<u32>(_e421) & 2147483647u) > 2139095040u) {
+                                    phi_1103_ = _e421;
+                                } else {
+                                    if (_e421 < 0f) {
+                                        phi_1102_ = 0f;
+                                    } else {
+                                        if (_e421 > 1f) {
+                                            phi_1101_ = 1f;
+                                        } else {
+                                            phi_1101_ = _e421;
+                                        }
+                                        let _e428 = phi_1101_;
+                                        phi_1102_ = _e428;
+                                    }
+                                    let _e430 = phi_1102_;
+                                    phi_1103_ = _e430;
+                                }
+                                let _e432 = phi_1103_;
+                                phi_1107_ = _e432;
+                            } else {
+                                phi_1107_ = bitcast<f32>((bitcast<u32>(_e378.x) | 2143289344u));
+                            }
+                            let _e437 = phi_1107_;
+                            phi_1108_ = _e437;
+                        }
+                        let _e439 = phi_1108_;
+                        phi_1109_ = _e439;
+                    }
+                    let _e441 = phi_1109_;
+                    phi_1110_ = _e441;
+                } else {
+                    phi_1110_ = _e321;
+                }
+                let _e443 = phi_1110_;
+                phi_1111_ = _e443;
+                phi_1112_ = false;
+            } else {
+                phi_1111_ = f32();
+                phi_1112_ = true;
+            }
+            let _e445 = phi_1111_;
+            let _e447 = phi_1112_;
+            phi_1113_ = _e445;
+            phi_1114_ = _e447;
+        } else {
+            phi_1113_ = f32();
+            phi_1114_ = true;
+        }
+        let _e449 = phi_1113_;
+        let _e451 = phi_1114_;
+        if _e451 {
+            if ((bitcast<u32>(_e289.x) & 2147483647u) > 2139095040u) {
+                phi_1125_ = _e289.x;
+            } else {
+                let _e455 = lt_math_hausdorff_endpoint_upper_bound((&local), _e77);
+                phi_1125_ = _e455;
+            }
+            let _e457 = phi_1125_;
+            phi_1126_ = _e457;
+        } else {
+            phi_1126_ = _e449;
+        }
+        let _e459 = phi_1126_;
+        phi_1127_ = _e459;
     }
-    let _e270 = phi_904_;
-    return _e270;
+    let _e461 = phi_1127_;
+    return _e461;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_20: ptr<function, f32>, param_21: vec4<f32>, param_22: vec4<f32>, param_23: f32) -> f32 {

@@ -191,152 +191,152 @@ fn lt_math_hausdorff_cubic_mass(param_9: vec4<f32>, param_10: f32, param_11: f32
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_14: ptr<function, hankel_HankelFactors>, param_15: f32) -> f32 {
-    var phi_557_: f32;
-    var phi_558_: f32;
-    var phi_559_: f32;
-    var phi_585_: f32;
-    var phi_586_: f32;
-    var phi_587_: f32;
-    var phi_588_: f32;
-    var phi_589_: bool;
-    var phi_590_: f32;
-    var phi_591_: bool;
-    var phi_619_: f32;
-    var phi_620_: f32;
-    var phi_621_: f32;
-    var phi_622_: f32;
-    var phi_623_: bool;
-    var phi_624_: f32;
-    var phi_625_: bool;
-    var phi_632_: f32;
-    var phi_633_: f32;
-    var phi_634_: f32;
-    var phi_635_: f32;
+    var phi_780_: f32;
+    var phi_781_: f32;
+    var phi_782_: f32;
+    var phi_809_: f32;
+    var phi_810_: f32;
+    var phi_811_: f32;
+    var phi_812_: f32;
+    var phi_813_: bool;
+    var phi_814_: f32;
+    var phi_815_: bool;
+    var phi_843_: f32;
+    var phi_844_: f32;
+    var phi_845_: f32;
+    var phi_846_: f32;
+    var phi_847_: bool;
+    var phi_848_: f32;
+    var phi_849_: bool;
+    var phi_856_: f32;
+    var phi_857_: f32;
+    var phi_858_: f32;
+    var phi_859_: f32;
 
     let _e35 = (*param_14).moments;
     if (param_15 <= 0f) {
-        phi_635_ = 1f;
+        phi_859_ = 1f;
     } else {
         let _e44 = ((_e35.z - ((1f + param_15) * _e35.y)) + (param_15 * _e35.x));
         let _e53 = (((_e35.w - ((1f + param_15) * _e35.z)) + (param_15 * _e35.y)) / _e44);
         if (abs(_e44) <= 0.00000047683716f) {
             let _e67 = (1f - (((_e35.y - (_e35.x * (param_15 + 1f))) + (param_15 * 1f)) / ((0f - param_15) * (0f - 1f))));
             if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-                phi_559_ = _e67;
+                phi_782_ = _e67;
             } else {
                 if (_e67 < 0f) {
-                    phi_558_ = 0f;
+                    phi_781_ = 0f;
                 } else {
                     if (_e67 > 1f) {
-                        phi_557_ = 1f;
+                        phi_780_ = 1f;
                     } else {
-                        phi_557_ = _e67;
+                        phi_780_ = _e67;
                     }
-                    let _e74 = phi_557_;
-                    phi_558_ = _e74;
+                    let _e74 = phi_780_;
+                    phi_781_ = _e74;
                 }
-                let _e76 = phi_558_;
-                phi_559_ = _e76;
+                let _e76 = phi_781_;
+                phi_782_ = _e76;
             }
-            let _e78 = phi_559_;
-            phi_634_ = _e78;
+            let _e78 = phi_782_;
+            phi_858_ = _e78;
         } else {
             if (_e53 > 0f) {
                 if (_e53 < param_15) {
-                    let _e81 = lt_math_hausdorff_cubic_mass(_e35, param_15, 0f, _e53, 1f);
-                    let _e82 = lt_math_hausdorff_cubic_mass(_e35, 1f, 0f, _e53, param_15);
-                    let _e83 = (_e81 + _e82);
-                    if ((bitcast<u32>(_e83) & 2147483647u) > 2139095040u) {
-                        phi_587_ = _e83;
+                    let _e81 = lt_math_hausdorff_cubic_mass(_e35, 0f, _e53, param_15, 1f);
+                    let _e83 = lt_math_hausdorff_cubic_mass(_e35, _e53, 0f, param_15, 1f);
+                    let _e84 = ((1f - _e81) - _e83);
+                    if ((bitcast<u32>(_e84) & 2147483647u) > 2139095040u) {
+                        phi_811_ = _e84;
                     } else {
-                        if (_e83 < 0f) {
-                            phi_586_ = 0f;
+                        if (_e84 < 0f) {
+                            phi_810_ = 0f;
                         } else {
-                            if (_e83 > 1f) {
-                                phi_585_ = 1f;
+                            if (_e84 > 1f) {
+                                phi_809_ = 1f;
                             } else {
-                                phi_585_ = _e83;
+                                phi_809_ = _e84;
                             }
-                            let _e90 = phi_585_;
-                            phi_586_ = _e90;
+                            let _e91 = phi_809_;
+                            phi_810_ = _e91;
                         }
-                        let _e92 = phi_586_;
-                        phi_587_ = _e92;
+                        let _e93 = phi_810_;
+                        phi_811_ = _e93;
                     }
-                    let _e94 = phi_587_;
-                    phi_588_ = _e94;
-                    phi_589_ = false;
+                    let _e95 = phi_811_;
+                    phi_812_ = _e95;
+                    phi_813_ = false;
                 } else {
-                    phi_588_ = f32();
-                    phi_589_ = true;
+                    phi_812_ = f32();
+                    phi_813_ = true;
                 }
-                let _e96 = phi_588_;
-                let _e98 = phi_589_;
-                phi_590_ = _e96;
-                phi_591_ = _e98;
+                let _e97 = phi_812_;
+                let _e99 = phi_813_;
+                phi_814_ = _e97;
+                phi_815_ = _e99;
             } else {
-                phi_590_ = f32();
-                phi_591_ = true;
+                phi_814_ = f32();
+                phi_815_ = true;
             }
-            let _e100 = phi_590_;
-            let _e102 = phi_591_;
-            if _e102 {
+            let _e101 = phi_814_;
+            let _e103 = phi_815_;
+            if _e103 {
                 if (_e53 > param_15) {
                     if (_e53 < 1f) {
-                        let _e105 = lt_math_hausdorff_cubic_mass(_e35, 0f, _e53, param_15, 1f);
-                        let _e106 = (1f - _e105);
-                        if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-                            phi_621_ = _e106;
+                        let _e106 = lt_math_hausdorff_cubic_mass(_e35, 0f, _e53, param_15, 1f);
+                        let _e107 = (1f - _e106);
+                        if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
+                            phi_845_ = _e107;
                         } else {
-                            if (_e106 < 0f) {
-                                phi_620_ = 0f;
+                            if (_e107 < 0f) {
+                                phi_844_ = 0f;
                             } else {
-                                if (_e106 > 1f) {
-                                    phi_619_ = 1f;
+                                if (_e107 > 1f) {
+                                    phi_843_ = 1f;
                                 } else {
-                                    phi_619_ = _e106;
+                                    phi_843_ = _e107;
                                 }
-                                let _e113 = phi_619_;
-                                phi_620_ = _e113;
+                                let _e114 = phi_843_;
+                                phi_844_ = _e114;
                             }
-                            let _e115 = phi_620_;
-                            phi_621_ = _e115;
+                            let _e116 = phi_844_;
+                            phi_845_ = _e116;
                         }
-                        let _e117 = phi_621_;
-                        phi_622_ = _e117;
-                        phi_623_ = false;
+                        let _e118 = phi_845_;
+                        phi_846_ = _e118;
+                        phi_847_ = false;
                     } else {
-                        phi_622_ = f32();
-                        phi_623_ = true;
+                        phi_846_ = f32();
+                        phi_847_ = true;
                     }
-                    let _e119 = phi_622_;
-                    let _e121 = phi_623_;
-                    phi_624_ = _e119;
-                    phi_625_ = _e121;
+                    let _e120 = phi_846_;
+                    let _e122 = phi_847_;
+                    phi_848_ = _e120;
+                    phi_849_ = _e122;
                 } else {
-                    phi_624_ = f32();
-                    phi_625_ = true;
+                    phi_848_ = f32();
+                    phi_849_ = true;
                 }
-                let _e123 = phi_624_;
-                let _e125 = phi_625_;
-                if _e125 {
-                    phi_632_ = bitcast<f32>((bitcast<u32>(_e53) | 2143289344u));
+                let _e124 = phi_848_;
+                let _e126 = phi_849_;
+                if _e126 {
+                    phi_856_ = bitcast<f32>((bitcast<u32>(_e53) | 2143289344u));
                 } else {
-                    phi_632_ = _e123;
+                    phi_856_ = _e124;
                 }
-                let _e130 = phi_632_;
-                phi_633_ = _e130;
+                let _e131 = phi_856_;
+                phi_857_ = _e131;
             } else {
-                phi_633_ = _e100;
+                phi_857_ = _e101;
             }
-            let _e132 = phi_633_;
-            phi_634_ = _e132;
+            let _e133 = phi_857_;
+            phi_858_ = _e133;
         }
-        let _e134 = phi_634_;
-        phi_635_ = _e134;
+        let _e135 = phi_858_;
+        phi_859_ = _e135;
     }
-    let _e136 = phi_635_;
-    return _e136;
+    let _e137 = phi_859_;
+    return _e137;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_16: ptr<function, f32>, param_17: vec4<f32>, param_18: f32) -> f32 {
@@ -344,23 +344,50 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     var phi_284_: f32;
     var phi_285_: f32;
     var phi_286_: f32;
-    var phi_339_: vec2<f32>;
-    var phi_402_: vec2<f32>;
-    var phi_440_: f32;
-    var phi_441_: f32;
-    var phi_442_: f32;
-    var phi_475_: f32;
-    var phi_476_: f32;
-    var phi_477_: f32;
-    var phi_481_: f32;
-    var phi_482_: f32;
-    var phi_483_: f32;
-    var phi_484_: f32;
-    var phi_485_: bool;
-    var phi_486_: f32;
-    var phi_487_: bool;
-    var phi_498_: f32;
-    var phi_499_: f32;
+    var phi_324_: f32;
+    var phi_325_: f32;
+    var phi_326_: f32;
+    var phi_327_: f32;
+    var phi_328_: bool;
+    var phi_329_: f32;
+    var phi_330_: bool;
+    var phi_386_: vec2<f32>;
+    var phi_424_: f32;
+    var phi_425_: f32;
+    var phi_426_: f32;
+    var phi_459_: f32;
+    var phi_460_: f32;
+    var phi_461_: f32;
+    var phi_465_: f32;
+    var phi_466_: f32;
+    var phi_467_: f32;
+    var phi_468_: f32;
+    var phi_521_: vec2<f32>;
+    var phi_561_: f32;
+    var phi_562_: f32;
+    var phi_563_: f32;
+    var phi_564_: f32;
+    var phi_565_: bool;
+    var phi_566_: f32;
+    var phi_567_: bool;
+    var phi_623_: vec2<f32>;
+    var phi_661_: f32;
+    var phi_662_: f32;
+    var phi_663_: f32;
+    var phi_696_: f32;
+    var phi_697_: f32;
+    var phi_698_: f32;
+    var phi_702_: f32;
+    var phi_703_: f32;
+    var phi_704_: f32;
+    var phi_705_: f32;
+    var phi_706_: f32;
+    var phi_707_: bool;
+    var phi_708_: f32;
+    var phi_709_: bool;
+    var phi_720_: f32;
+    var phi_721_: f32;
+    var phi_722_: f32;
 
     let _e36 = (*param_16);
     let _e37 = (1f - _e36);
@@ -392,166 +419,342 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     }
     let _e77 = phi_286_;
     let _e80 = local.moments[0u];
-    let _e83 = local.moments[1u];
-    let _e91 = local.l32_d22_;
-    let _e93 = local.d22_;
-    let _e94 = (_e91 / _e93);
-    let _e95 = (_e77 - _e80);
-    let _e101 = local.d22_;
-    let _e104 = local.d33_d22_;
-    let _e105 = (((((_e77 * _e77) - _e83) - (_e94 * _e95)) * _e101) / _e104);
-    let _e107 = local.d22_;
-    let _e110 = ((_e95 / _e107) - (_e94 * _e105));
-    let _e116 = ((0.5f * _e110) / _e105);
-    let _e119 = ((_e116 * _e116) - (((1f - (_e110 * _e80)) - (_e105 * _e83)) / _e105));
-    if (_e119 >= 0f) {
-        let _e121 = sqrt(_e119);
-        phi_339_ = vec2<f32>((-(_e116) - _e121), (-(_e116) + _e121));
-    } else {
-        phi_339_ = vec2(bitcast<f32>((bitcast<u32>(_e119) | 2143289344u)));
-    }
-    let _e132 = phi_339_;
-    if (_e132.x >= 0f) {
-        if (_e132.y <= 1f) {
-            let _e139 = local.moments[0u];
-            let _e142 = local.moments[1u];
-            let _e150 = local.l32_d22_;
-            let _e152 = local.d22_;
-            let _e153 = (_e150 / _e152);
-            let _e154 = (_e77 - _e139);
-            let _e160 = local.d22_;
-            let _e163 = local.d33_d22_;
-            let _e164 = (((((_e77 * _e77) - _e142) - (_e153 * _e154)) * _e160) / _e163);
-            let _e166 = local.d22_;
-            let _e169 = ((_e154 / _e166) - (_e153 * _e164));
-            let _e175 = ((0.5f * _e169) / _e164);
-            let _e178 = ((_e175 * _e175) - (((1f - (_e169 * _e139)) - (_e164 * _e142)) / _e164));
-            if (_e178 >= 0f) {
-                let _e180 = sqrt(_e178);
-                phi_402_ = vec2<f32>((-(_e175) - _e180), (-(_e175) + _e180));
-            } else {
-                phi_402_ = vec2(bitcast<f32>((bitcast<u32>(_e178) | 2143289344u)));
-            }
-            let _e191 = phi_402_;
-            if (_e77 <= _e191.x) {
-                phi_483_ = 1f;
-            } else {
-                if (_e77 > _e191.y) {
-                    let _e197 = local.moments;
-                    let _e208 = (((_e197.y - (_e197.x * (_e191.x + _e191.y))) + (_e191.x * _e191.y)) / ((_e77 - _e191.x) * (_e77 - _e191.y)));
-                    if ((bitcast<u32>(_e208) & 2147483647u) > 2139095040u) {
-                        phi_442_ = _e208;
-                    } else {
-                        if (_e208 < 0f) {
-                            phi_441_ = 0f;
-                        } else {
-                            if (_e208 > 1f) {
-                                phi_440_ = 1f;
-                            } else {
-                                phi_440_ = _e208;
-                            }
-                            let _e215 = phi_440_;
-                            phi_441_ = _e215;
-                        }
-                        let _e217 = phi_441_;
-                        phi_442_ = _e217;
-                    }
-                    let _e219 = phi_442_;
-                    phi_482_ = _e219;
+    let _e83 = local.moments[3u];
+    if (_e80 == _e83) {
+        let _e87 = local.moments[0u];
+        let _e90 = local.moments[3u];
+        if (_e87 == _e90) {
+            if (_e77 > 0f) {
+                let _e94 = local.moments;
+                if ((bitcast<u32>(_e94.x) & 2147483647u) > 2139095040u) {
+                    phi_326_ = _e94.x;
                 } else {
-                    if (_e77 > _e191.x) {
-                        let _e222 = local.moments;
-                        let _e234 = (1f - (((_e222.y - (_e222.x * (_e77 + _e191.y))) + (_e77 * _e191.y)) / ((_e191.x - _e77) * (_e191.x - _e191.y))));
-                        if ((bitcast<u32>(_e234) & 2147483647u) > 2139095040u) {
-                            phi_477_ = _e234;
-                        } else {
-                            if (_e234 < 0f) {
-                                phi_476_ = 0f;
-                            } else {
-                                if (_e234 > 1f) {
-                                    phi_475_ = 1f;
-                                } else {
-                                    phi_475_ = _e234;
-                                }
-                                let _e241 = phi_475_;
-                                phi_476_ = _e241;
-                            }
-                            let _e243 = phi_476_;
-                            phi_477_ = _e243;
-                        }
-                        let _e245 = phi_477_;
-                        phi_481_ = _e245;
+                    if (_e94.x < 0f) {
+                        phi_325_ = 0f;
                     } else {
-                        phi_481_ = bitcast<f32>((bitcast<u32>(_e191.x) | 2143289344u));
+                        if (_e94.x > 1f) {
+                            phi_324_ = 1f;
+                        } else {
+                            phi_324_ = _e94.x;
+                        }
+                        let _e102 = phi_324_;
+                        phi_325_ = _e102;
                     }
-                    let _e250 = phi_481_;
-                    phi_482_ = _e250;
+                    let _e104 = phi_325_;
+                    phi_326_ = _e104;
                 }
-                let _e252 = phi_482_;
-                phi_483_ = _e252;
+                let _e106 = phi_326_;
+                phi_327_ = _e106;
+                phi_328_ = false;
+            } else {
+                phi_327_ = f32();
+                phi_328_ = true;
             }
-            let _e254 = phi_483_;
-            phi_484_ = _e254;
-            phi_485_ = false;
+            let _e108 = phi_327_;
+            let _e110 = phi_328_;
+            phi_329_ = _e108;
+            phi_330_ = _e110;
         } else {
-            phi_484_ = f32();
-            phi_485_ = true;
+            phi_329_ = f32();
+            phi_330_ = true;
         }
-        let _e256 = phi_484_;
-        let _e258 = phi_485_;
-        phi_486_ = _e256;
-        phi_487_ = _e258;
-    } else {
-        phi_486_ = f32();
-        phi_487_ = true;
-    }
-    let _e260 = phi_486_;
-    let _e262 = phi_487_;
-    if _e262 {
-        if ((bitcast<u32>(_e132.x) & 2147483647u) > 2139095040u) {
-            phi_498_ = _e132.x;
+        let _e112 = phi_329_;
+        let _e114 = phi_330_;
+        if _e114 {
+            let _e117 = local.moments[0u];
+            let _e120 = local.moments[1u];
+            let _e128 = local.l32_d22_;
+            let _e130 = local.d22_;
+            let _e131 = (_e128 / _e130);
+            let _e132 = (_e77 - _e117);
+            let _e138 = local.d22_;
+            let _e141 = local.d33_d22_;
+            let _e142 = (((((_e77 * _e77) - _e120) - (_e131 * _e132)) * _e138) / _e141);
+            let _e144 = local.d22_;
+            let _e147 = ((_e132 / _e144) - (_e131 * _e142));
+            let _e153 = ((0.5f * _e147) / _e142);
+            let _e156 = ((_e153 * _e153) - (((1f - (_e147 * _e117)) - (_e142 * _e120)) / _e142));
+            if (_e156 >= 0f) {
+                let _e158 = sqrt(_e156);
+                phi_386_ = vec2<f32>((-(_e153) - _e158), (-(_e153) + _e158));
+            } else {
+                phi_386_ = vec2(bitcast<f32>((bitcast<u32>(_e156) | 2143289344u)));
+            }
+            let _e169 = phi_386_;
+            if (_e77 <= _e169.x) {
+                phi_467_ = 1f;
+            } else {
+                if (_e77 > _e169.y) {
+                    let _e175 = local.moments;
+                    let _e186 = (((_e175.y - (_e175.x * (_e169.x + _e169.y))) + (_e169.x * _e169.y)) / ((_e77 - _e169.x) * (_e77 - _e169.y)));
+                    if ((bitcast<u32>(_e186) & 2147483647u) > 2139095040u) {
+                        phi_426_ = _e186;
+                    } else {
+                        if (_e186 < 0f) {
+                            phi_425_ = 0f;
+                        } else {
+                            if (_e186 > 1f) {
+                                phi_424_ = 1f;
+                            } else {
+                                phi_424_ = _e186;
+                            }
+                            let _e193 = phi_424_;
+                            phi_425_ = _e193;
+                        }
+                        let _e195 = phi_425_;
+                        phi_426_ = _e195;
+                    }
+                    let _e197 = phi_426_;
+                    phi_466_ = _e197;
+                } else {
+                    if (_e77 > _e169.x) {
+                        let _e200 = local.moments;
+                        let _e212 = (1f - (((_e200.y - (_e200.x * (_e77 + _e169.y))) + (_e77 * _e169.y)) / ((_e169.x - _e77) * (_e169.x - _e169.y))));
+                        if ((bitcast<u32>(_e212) & 2147483647u) > 2139095040u) {
+                            phi_461_ = _e212;
+                        } else {
+                            if (_e212 < 0f) {
+                                phi_460_ = 0f;
+                            } else {
+                                if (_e212 > 1f) {
+                                    phi_459_ = 1f;
+                                } else {
+                                    phi_459_ = _e212;
+                                }
+                                let _e219 = phi_459_;
+                                phi_460_ = _e219;
+                            }
+                            let _e221 = phi_460_;
+                            phi_461_ = _e221;
+                        }
+                        let _e223 = phi_461_;
+                        phi_465_ = _e223;
+                    } else {
+                        phi_465_ = bitcast<f32>((bitcast<u32>(_e169.x) | 2143289344u));
+                    }
+                    let _e228 = phi_465_;
+                    phi_466_ = _e228;
+                }
+                let _e230 = phi_466_;
+                phi_467_ = _e230;
+            }
+            let _e232 = phi_467_;
+            phi_468_ = _e232;
         } else {
-            let _e266 = lt_math_hausdorff_endpoint_upper_bound((&local), _e77);
-            phi_498_ = _e266;
+            phi_468_ = _e112;
         }
-        let _e268 = phi_498_;
-        phi_499_ = _e268;
+        let _e234 = phi_468_;
+        phi_722_ = _e234;
     } else {
-        phi_499_ = _e260;
+        let _e237 = local.moments[0u];
+        let _e240 = local.moments[1u];
+        let _e248 = local.l32_d22_;
+        let _e250 = local.d22_;
+        let _e251 = (_e248 / _e250);
+        let _e252 = (_e77 - _e237);
+        let _e258 = local.d22_;
+        let _e261 = local.d33_d22_;
+        let _e262 = (((((_e77 * _e77) - _e240) - (_e251 * _e252)) * _e258) / _e261);
+        let _e264 = local.d22_;
+        let _e267 = ((_e252 / _e264) - (_e251 * _e262));
+        let _e273 = ((0.5f * _e267) / _e262);
+        let _e276 = ((_e273 * _e273) - (((1f - (_e267 * _e237)) - (_e262 * _e240)) / _e262));
+        if (_e276 >= 0f) {
+            let _e278 = sqrt(_e276);
+            phi_521_ = vec2<f32>((-(_e273) - _e278), (-(_e273) + _e278));
+        } else {
+            phi_521_ = vec2(bitcast<f32>((bitcast<u32>(_e276) | 2143289344u)));
+        }
+        let _e289 = phi_521_;
+        if (_e289.x >= 0f) {
+            if (_e289.y <= 1f) {
+                let _e296 = local.moments[0u];
+                let _e299 = local.moments[3u];
+                if (_e296 == _e299) {
+                    if (_e77 > 0f) {
+                        let _e303 = local.moments;
+                        if ((bitcast<u32>(_e303.x) & 2147483647u) > 2139095040u) {
+                            phi_563_ = _e303.x;
+                        } else {
+                            if (_e303.x < 0f) {
+                                phi_562_ = 0f;
+                            } else {
+                                if (_e303.x > 1f) {
+                                    phi_561_ = 1f;
+                                } else {
+                                    phi_561_ = _e303.x;
+                                }
+                                let _e311 = phi_561_;
+                                phi_562_ = _e311;
+                            }
+                            let _e313 = phi_562_;
+                            phi_563_ = _e313;
+                        }
+                        let _e315 = phi_563_;
+                        phi_564_ = _e315;
+                        phi_565_ = false;
+                    } else {
+                        phi_564_ = f32();
+                        phi_565_ = true;
+                    }
+                    let _e317 = phi_564_;
+                    let _e319 = phi_565_;
+                    phi_566_ = _e317;
+                    phi_567_ = _e319;
+                } else {
+                    phi_566_ = f32();
+                    phi_567_ = true;
+                }
+                let _e321 = phi_566_;
+                let _e323 = phi_567_;
+                if _e323 {
+                    let _e326 = local.moments[0u];
+                    let _e329 = local.moments[1u];
+                    let _e337 = local.l32_d22_;
+                    let _e339 = local.d22_;
+                    let _e340 = (_e337 / _e339);
+                    let _e341 = (_e77 - _e326);
+                    let _e347 = local.d22_;
+                    let _e350 = local.d33_d22_;
+                    let _e351 = (((((_e77 * _e77) - _e329) - (_e340 * _e341)) * _e347) / _e350);
+                    let _e353 = local.d22_;
+                    let _e356 = ((_e341 / _e353) - (_e340 * _e351));
+                    let _e362 = ((0.5f * _e356) / _e351);
+                    let _e365 = ((_e362 * _e362) - (((1f - (_e356 * _e326)) - (_e351 * _e329)) / _e351));
+                    if (_e365 >= 0f) {
+                        let _e367 = sqrt(_e365);
+                        phi_623_ = vec2<f32>((-(_e362) - _e367), (-(_e362) + _e367));
+                    } else {
+                        phi_623_ = vec2(bitcast<f32>((bitcast<u32>(_e365) | 2143289344u)));
+                    }
+                    let _e378 = phi_623_;
+                    if (_e77 <= _e378.x) {
+                        phi_704_ = 1f;
+                    } else {
+                        if (_e77 > _e378.y) {
+                            let _e384 = local.moments;
+                            let _e395 = (((_e384.y - (_e384.x * (_e378.x + _e378.y))) + (_e378.x * _e378.y)) / ((_e77 - _e378.x) * (_e77 - _e378.y)));
+                            if ((bitcast<u32>(_e395) & 2147483647u) > 2139095040u) {
+                                phi_663_ = _e395;
+                            } else {
+                                if (_e395 < 0f) {
+                                    phi_662_ = 0f;
+                                } else {
+                                    if (_e395 > 1f) {
+                                        phi_661_ = 1f;
+                                    } else {
+                                        phi_661_ = _e395;
+                                    }
+                                    let _e402 = phi_661_;
+                                    phi_662_ = _e402;
+                                }
+                                let _e404 = phi_662_;
+                                phi_663_ = _e404;
+                            }
+                            let _e406 = phi_663_;
+                            phi_703_ = _e406;
+                        } else {
+                            if (_e77 > _e378.x) {
+                                let _e409 = local.moments;
+                                let _e421 = (1f - (((_e409.y - (_e409.x * (_e77 + _e378.y))) + (_e77 * _e378.y)) / ((_e378.x - _e77) * (_e378.x - _e378.y))));
+                                if ((bitcast<u32>(_e421) & 2147483647u) > 2139095040u) {
+                                    phi_698_ = _e421;
+                                } else {
+                                    if (_e421 < 0f) {
+                                        phi_697_ = 0f;
+                                    } else {
+                                        if (_e421 > 1f) {
+                                            phi_696_ = 1f;
+                                        } else {
+                                            phi_696_ = _e421;
+                                        }
+                                        let _e428 = phi_696_;
+                                        phi_697_ = _e428;
+                                    }
+                                    let _e430 = phi_697_;
+                                    phi_698_ = _e430;
+                                }
+                                let _e432 = phi_698_;
+                                phi_702_ = _e432;
+                            } else {
+                                phi_702_ = bitcast<f32>((bitcast<u32>(_e378.x) | 2143289344u));
+                            }
+                            let _e437 = phi_702_;
+                            phi_703_ = _e437;
+                        }
+                        let _e439 = phi_703_;
+                        phi_704_ = _e439;
+                    }
+                    let _e441 = phi_704_;
+                    phi_705_ = _e441;
+                } else {
+                    phi_705_ = _e321;
+                }
+                let _e443 = phi_705_;
+                phi_706_ = _e443;
+                phi_707_ = false;
+            } else {
+                phi_706_ = f32();
+                phi_707_ = true;
+            }
+            let _e445 = phi_706_;
+            let _e447 = phi_707_;
+            phi_708_ = _e445;
+            phi_709_ = _e447;
+        } else {
+            phi_708_ = f32();
+            phi_709_ = true;
+        }
+        let _e449 = phi_708_;
+        let _e451 = phi_709_;
+        if _e451 {
+            if ((bitcast<u32>(_e289.x) & 2147483647u) > 2139095040u) {
+                phi_720_ = _e289.x;
+            } else {
+                let _e455 = lt_math_hausdorff_endpoint_upper_bound((&local), _e77);
+                phi_720_ = _e455;
+            }
+            let _e457 = phi_720_;
+            phi_721_ = _e457;
+        } else {
+            phi_721_ = _e449;
+        }
+        let _e459 = phi_721_;
+        phi_722_ = _e459;
     }
-    let _e270 = phi_499_;
-    return _e270;
+    let _e461 = phi_722_;
+    return _e461;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_718_: bool;
-    var phi_719_: bool;
-    var phi_720_: bool;
-    var phi_721_: bool;
-    var phi_725_: bool;
-    var phi_760_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_764_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_857_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_860_: bool;
-    var phi_861_: bool;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_868_: bool;
-    var phi_872_: bool;
-    var phi_1011_: evaluate_Verdict;
-    var phi_1012_: evaluate_Verdict;
-    var phi_1013_: bool;
-    var phi_1014_: evaluate_Verdict;
-    var phi_1015_: evaluate_Verdict;
-    var phi_1016_: bool;
-    var phi_1020_: evaluate_Verdict;
+    var phi_942_: bool;
+    var phi_943_: bool;
+    var phi_944_: bool;
+    var phi_945_: bool;
+    var phi_949_: bool;
+    var phi_984_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_988_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1081_: bool;
+    var phi_1082_: bool;
+    var phi_1083_: bool;
+    var phi_1084_: bool;
+    var phi_1085_: bool;
+    var phi_1086_: bool;
+    var phi_1087_: bool;
+    var phi_1088_: bool;
+    var phi_1089_: bool;
+    var phi_1090_: bool;
+    var phi_1091_: bool;
+    var phi_1092_: bool;
+    var phi_1096_: bool;
+    var phi_1235_: evaluate_Verdict;
+    var phi_1236_: evaluate_Verdict;
+    var phi_1237_: bool;
+    var phi_1238_: evaluate_Verdict;
+    var phi_1239_: evaluate_Verdict;
+    var phi_1240_: bool;
+    var phi_1244_: evaluate_Verdict;
 
     let _e33 = id_1;
     let _e40 = arrayLength((&map.member));
@@ -572,28 +775,28 @@ fn function_() {
             if (_e66 == _e68) {
                 let _e71 = samples.member[(0u + _e49.first_primitive)].normal[2u];
                 let _e73 = global[2u];
-                phi_718_ = (_e71 == _e73);
-                phi_719_ = false;
+                phi_942_ = (_e71 == _e73);
+                phi_943_ = false;
             } else {
-                phi_718_ = bool();
-                phi_719_ = true;
+                phi_942_ = bool();
+                phi_943_ = true;
             }
-            let _e76 = phi_718_;
-            let _e78 = phi_719_;
-            phi_720_ = _e76;
-            phi_721_ = _e78;
+            let _e76 = phi_942_;
+            let _e78 = phi_943_;
+            phi_944_ = _e76;
+            phi_945_ = _e78;
         } else {
-            phi_720_ = bool();
-            phi_721_ = true;
+            phi_944_ = bool();
+            phi_945_ = true;
         }
-        let _e80 = phi_720_;
-        let _e82 = phi_721_;
+        let _e80 = phi_944_;
+        let _e82 = phi_945_;
         if _e82 {
-            phi_725_ = false;
+            phi_949_ = false;
         } else {
-            phi_725_ = _e80;
+            phi_949_ = _e80;
         }
-        let _e84 = phi_725_;
+        let _e84 = phi_949_;
         if !(_e84) {
             let _e87 = samples.member[(0u + _e49.first_primitive)].normal;
             let _e89 = samples.member[(0u + _e49.first_primitive)].position;
@@ -602,24 +805,24 @@ fn function_() {
                 let _e104 = samples.member[(0u + _e49.first_primitive)].flags;
                 let _e112 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e118 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e112.unnamed.visibility, false), _e112.unnamed_1);
-                phi_760_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e118.unnamed, ((_e104 & 1u) == 0u));
+                phi_984_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e118.unnamed, ((_e104 & 1u) == 0u));
             } else {
                 let _e127 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e127.unnamed.visibility, false), _e127.unnamed_1);
-                phi_760_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e133.unnamed, true);
+                phi_984_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e133.unnamed, true);
             }
-            let _e138 = phi_760_;
-            phi_764_ = _e138;
+            let _e138 = phi_984_;
+            phi_988_ = _e138;
         } else {
             let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e144.unnamed.visibility, false), _e144.unnamed_1);
-            phi_764_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e150.unnamed, true);
+            phi_988_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e150.unnamed, true);
         }
-        let _e155 = phi_764_;
+        let _e155 = phi_988_;
         if _e155.unnamed_1 {
-            phi_1014_ = evaluate_Verdict(_e155.unnamed.visibility, _e155.unnamed.is_doubted);
-            phi_1015_ = evaluate_Verdict();
-            phi_1016_ = true;
+            phi_1238_ = evaluate_Verdict(_e155.unnamed.visibility, _e155.unnamed.is_doubted);
+            phi_1239_ = evaluate_Verdict();
+            phi_1240_ = true;
         } else {
             let _e163 = samples.member[(0u + _e49.first_primitive)].position;
             let _e169 = p.member.projection.row_w;
@@ -636,60 +839,60 @@ fn function_() {
                         if (_e208 >= 0f) {
                             if (_e208 <= 1f) {
                                 if (_e221 >= 0f) {
-                                    phi_857_ = (_e221 <= 1f);
-                                    phi_858_ = false;
+                                    phi_1081_ = (_e221 <= 1f);
+                                    phi_1082_ = false;
                                 } else {
-                                    phi_857_ = bool();
-                                    phi_858_ = true;
+                                    phi_1081_ = bool();
+                                    phi_1082_ = true;
                                 }
-                                let _e230 = phi_857_;
-                                let _e232 = phi_858_;
-                                phi_859_ = _e230;
-                                phi_860_ = _e232;
+                                let _e230 = phi_1081_;
+                                let _e232 = phi_1082_;
+                                phi_1083_ = _e230;
+                                phi_1084_ = _e232;
                             } else {
-                                phi_859_ = bool();
-                                phi_860_ = true;
+                                phi_1083_ = bool();
+                                phi_1084_ = true;
                             }
-                            let _e234 = phi_859_;
-                            let _e236 = phi_860_;
-                            phi_861_ = _e234;
-                            phi_862_ = _e236;
+                            let _e234 = phi_1083_;
+                            let _e236 = phi_1084_;
+                            phi_1085_ = _e234;
+                            phi_1086_ = _e236;
                         } else {
-                            phi_861_ = bool();
-                            phi_862_ = true;
+                            phi_1085_ = bool();
+                            phi_1086_ = true;
                         }
-                        let _e238 = phi_861_;
-                        let _e240 = phi_862_;
-                        phi_863_ = _e238;
-                        phi_864_ = _e240;
+                        let _e238 = phi_1085_;
+                        let _e240 = phi_1086_;
+                        phi_1087_ = _e238;
+                        phi_1088_ = _e240;
                     } else {
-                        phi_863_ = bool();
-                        phi_864_ = true;
+                        phi_1087_ = bool();
+                        phi_1088_ = true;
                     }
-                    let _e242 = phi_863_;
-                    let _e244 = phi_864_;
-                    phi_865_ = _e242;
-                    phi_866_ = _e244;
+                    let _e242 = phi_1087_;
+                    let _e244 = phi_1088_;
+                    phi_1089_ = _e242;
+                    phi_1090_ = _e244;
                 } else {
-                    phi_865_ = bool();
-                    phi_866_ = true;
+                    phi_1089_ = bool();
+                    phi_1090_ = true;
                 }
-                let _e246 = phi_865_;
-                let _e248 = phi_866_;
-                phi_867_ = _e246;
-                phi_868_ = _e248;
+                let _e246 = phi_1089_;
+                let _e248 = phi_1090_;
+                phi_1091_ = _e246;
+                phi_1092_ = _e248;
             } else {
-                phi_867_ = bool();
-                phi_868_ = true;
+                phi_1091_ = bool();
+                phi_1092_ = true;
             }
-            let _e250 = phi_867_;
-            let _e252 = phi_868_;
+            let _e250 = phi_1091_;
+            let _e252 = phi_1092_;
             if _e252 {
-                phi_872_ = false;
+                phi_1096_ = false;
             } else {
-                phi_872_ = _e250;
+                phi_1096_ = _e250;
             }
-            let _e254 = phi_872_;
+            let _e254 = phi_1096_;
             if _e254 {
                 let _e256 = p.member.map_size;
                 let _e257 = f32(_e256);
@@ -729,30 +932,30 @@ fn function_() {
                 }
                 let _e349 = map.member[(0u + _e297[3])];
                 let _e363 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e302.x * _e286) + (_e315.x * _e288)) + (_e332.x * _e290)) + (_e349.x * _e291)), ((((_e302.y * _e286) + (_e315.y * _e288)) + (_e332.y * _e290)) + (_e349.y * _e291)), ((((_e302.z * _e286) + (_e315.z * _e288)) + (_e332.z * _e290)) + (_e349.z * _e291)), ((((_e302.w * _e286) + (_e315.w * _e288)) + (_e332.w * _e290)) + (_e349.w * _e291))), _e221);
-                phi_1011_ = evaluate_Verdict(_e363, false);
-                phi_1012_ = evaluate_Verdict();
-                phi_1013_ = false;
+                phi_1235_ = evaluate_Verdict(_e363, false);
+                phi_1236_ = evaluate_Verdict();
+                phi_1237_ = false;
             } else {
-                phi_1011_ = evaluate_Verdict();
-                phi_1012_ = evaluate_Verdict(1f, false);
-                phi_1013_ = true;
+                phi_1235_ = evaluate_Verdict();
+                phi_1236_ = evaluate_Verdict(1f, false);
+                phi_1237_ = true;
             }
-            let _e367 = phi_1011_;
-            let _e369 = phi_1012_;
-            let _e371 = phi_1013_;
-            phi_1014_ = _e369;
-            phi_1015_ = _e367;
-            phi_1016_ = _e371;
+            let _e367 = phi_1235_;
+            let _e369 = phi_1236_;
+            let _e371 = phi_1237_;
+            phi_1238_ = _e369;
+            phi_1239_ = _e367;
+            phi_1240_ = _e371;
         }
-        let _e373 = phi_1014_;
-        let _e375 = phi_1015_;
-        let _e377 = phi_1016_;
+        let _e373 = phi_1238_;
+        let _e375 = phi_1239_;
+        let _e377 = phi_1240_;
         if _e377 {
-            phi_1020_ = _e373;
+            phi_1244_ = _e373;
         } else {
-            phi_1020_ = _e375;
+            phi_1244_ = _e375;
         }
-        let _e379 = phi_1020_;
+        let _e379 = phi_1244_;
         if (_e49.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;

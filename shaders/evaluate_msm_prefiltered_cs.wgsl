@@ -70,37 +70,37 @@ var<storage, read_write> visibility: type_25;
 var<storage> map: type_33;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_132_: lt_bvh_traverse_Tree;
-    var phi_133_: bool;
-    var phi_134_: lt_bvh_traverse_Tree;
-    var phi_135_: bool;
-    var phi_140_: lt_bvh_traverse_Tree;
+    var phi_133_: lt_bvh_traverse_Tree;
+    var phi_134_: bool;
+    var phi_135_: lt_bvh_traverse_Tree;
+    var phi_136_: bool;
+    var phi_141_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_132_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_133_ = false;
+            phi_133_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_134_ = false;
         } else {
-            phi_132_ = lt_bvh_traverse_Tree();
-            phi_133_ = true;
+            phi_133_ = lt_bvh_traverse_Tree();
+            phi_134_ = true;
         }
-        let _e43 = phi_132_;
-        let _e45 = phi_133_;
-        phi_134_ = _e43;
-        phi_135_ = _e45;
+        let _e44 = phi_133_;
+        let _e46 = phi_134_;
+        phi_135_ = _e44;
+        phi_136_ = _e46;
     } else {
-        phi_134_ = lt_bvh_traverse_Tree();
-        phi_135_ = true;
+        phi_135_ = lt_bvh_traverse_Tree();
+        phi_136_ = true;
     }
-    let _e47 = phi_134_;
-    let _e49 = phi_135_;
-    if _e49 {
-        phi_140_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e48 = phi_135_;
+    let _e50 = phi_136_;
+    if _e50 {
+        phi_141_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_140_ = _e47;
+        phi_141_ = _e48;
     }
-    let _e54 = phi_140_;
-    return lt_bvh_traverse_Tree(_e54.root, _e54.first_primitive);
+    let _e55 = phi_141_;
+    return lt_bvh_traverse_Tree(_e55.root, _e55.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -112,420 +112,471 @@ fn lt_shaders_evaluate_to_light(param_4: vec3<f32>, param_5: vec4<f32>) -> vec3<
 }
 
 fn lt_shaders_evaluate_quad_indices(param_6: i32, param_7: i32, param_8: u32) -> array<u32, 4> {
-    var phi_174_: i32;
-    var phi_179_: i32;
-    var phi_184_: i32;
-    var phi_189_: i32;
-    var phi_198_: i32;
-    var phi_203_: i32;
-    var phi_208_: i32;
-    var phi_213_: i32;
+    var phi_175_: i32;
+    var phi_180_: i32;
+    var phi_185_: i32;
+    var phi_190_: i32;
+    var phi_199_: i32;
+    var phi_204_: i32;
+    var phi_209_: i32;
+    var phi_214_: i32;
 
-    let _e34 = (bitcast<i32>(param_8) - 1i);
+    let _e35 = (bitcast<i32>(param_8) - 1i);
     if (param_6 > 0i) {
-        phi_174_ = param_6;
+        phi_175_ = param_6;
     } else {
-        phi_174_ = 0i;
+        phi_175_ = 0i;
     }
-    let _e37 = phi_174_;
+    let _e38 = phi_175_;
     if (param_7 > 0i) {
-        phi_179_ = param_7;
+        phi_180_ = param_7;
     } else {
-        phi_179_ = 0i;
+        phi_180_ = 0i;
     }
-    let _e40 = phi_179_;
-    if (_e37 < _e34) {
-        phi_184_ = _e37;
+    let _e41 = phi_180_;
+    if (_e38 < _e35) {
+        phi_185_ = _e38;
     } else {
-        phi_184_ = _e34;
+        phi_185_ = _e35;
     }
-    let _e43 = phi_184_;
-    if (_e40 < _e34) {
-        phi_189_ = _e40;
+    let _e44 = phi_185_;
+    if (_e41 < _e35) {
+        phi_190_ = _e41;
     } else {
-        phi_189_ = _e34;
+        phi_190_ = _e35;
     }
-    let _e46 = phi_189_;
-    let _e47 = bitcast<u32>(_e43);
-    let _e49 = (param_6 + 1i);
-    let _e50 = (param_7 + 1i);
-    if (_e49 > 0i) {
-        phi_198_ = _e49;
-    } else {
-        phi_198_ = 0i;
-    }
-    let _e53 = phi_198_;
+    let _e47 = phi_190_;
+    let _e48 = bitcast<u32>(_e44);
+    let _e50 = (param_6 + 1i);
+    let _e51 = (param_7 + 1i);
     if (_e50 > 0i) {
-        phi_203_ = _e50;
+        phi_199_ = _e50;
     } else {
-        phi_203_ = 0i;
+        phi_199_ = 0i;
     }
-    let _e56 = phi_203_;
-    if (_e53 < _e34) {
-        phi_208_ = _e53;
+    let _e54 = phi_199_;
+    if (_e51 > 0i) {
+        phi_204_ = _e51;
     } else {
-        phi_208_ = _e34;
+        phi_204_ = 0i;
     }
-    let _e59 = phi_208_;
-    if (_e56 < _e34) {
-        phi_213_ = _e56;
+    let _e57 = phi_204_;
+    if (_e54 < _e35) {
+        phi_209_ = _e54;
     } else {
-        phi_213_ = _e34;
+        phi_209_ = _e35;
     }
-    let _e62 = phi_213_;
-    let _e63 = bitcast<u32>(_e59);
-    let _e65 = (bitcast<u32>(_e46) * param_8);
-    let _e66 = (bitcast<u32>(_e62) * param_8);
-    return array<u32, 4>((_e65 + _e47), (_e65 + _e63), (_e66 + _e47), (_e66 + _e63));
+    let _e60 = phi_209_;
+    if (_e57 < _e35) {
+        phi_214_ = _e57;
+    } else {
+        phi_214_ = _e35;
+    }
+    let _e63 = phi_214_;
+    let _e64 = bitcast<u32>(_e60);
+    let _e66 = (bitcast<u32>(_e47) * param_8);
+    let _e67 = (bitcast<u32>(_e63) * param_8);
+    return array<u32, 4>((_e66 + _e48), (_e66 + _e64), (_e67 + _e48), (_e67 + _e64));
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_9: ptr<function, f32>, param_10: vec4<f32>, param_11: f32) -> f32 {
-    var phi_265_: f32;
     var phi_266_: f32;
     var phi_267_: f32;
-    var phi_302_: vec2<f32>;
-    var phi_336_: f32;
-    var phi_337_: f32;
-    var phi_338_: f32;
-    var phi_367_: f32;
-    var phi_368_: f32;
+    var phi_268_: f32;
+    var phi_291_: f32;
+    var phi_292_: f32;
+    var phi_293_: f32;
+    var phi_294_: f32;
+    var phi_295_: bool;
+    var phi_296_: f32;
+    var phi_297_: bool;
+    var phi_335_: vec2<f32>;
     var phi_369_: f32;
-    var phi_373_: f32;
-    var phi_374_: f32;
-    var phi_375_: f32;
+    var phi_370_: f32;
+    var phi_371_: f32;
+    var phi_400_: f32;
+    var phi_401_: f32;
+    var phi_402_: f32;
+    var phi_406_: f32;
+    var phi_407_: f32;
+    var phi_408_: f32;
+    var phi_409_: f32;
 
-    let _e33 = (*param_9);
-    let _e34 = (1f - _e33);
-    let _e43 = (0.5f * _e33);
-    let _e44 = ((param_10.x * _e34) + _e43);
-    let _e45 = ((param_10.y * _e34) + _e43);
-    let _e49 = (_e45 - (_e44 * _e44));
-    let _e51 = (((param_10.z * _e34) + _e43) - (_e44 * _e45));
+    let _e34 = (*param_9);
+    let _e35 = (1f - _e34);
+    let _e44 = (0.5f * _e34);
+    let _e45 = ((param_10.x * _e35) + _e44);
+    let _e46 = ((param_10.y * _e35) + _e44);
+    let _e48 = ((param_10.w * _e35) + _e44);
+    let _e50 = (_e46 - (_e45 * _e45));
+    let _e52 = (((param_10.z * _e35) + _e44) - (_e45 * _e46));
     if ((bitcast<u32>(param_11) & 2147483647u) > 2139095040u) {
-        phi_267_ = param_11;
+        phi_268_ = param_11;
     } else {
         if (param_11 < 0f) {
-            phi_266_ = 0f;
+            phi_267_ = 0f;
         } else {
             if (param_11 > 1f) {
-                phi_265_ = 1f;
+                phi_266_ = 1f;
             } else {
-                phi_265_ = param_11;
+                phi_266_ = param_11;
             }
-            let _e63 = phi_265_;
-            phi_266_ = _e63;
+            let _e64 = phi_266_;
+            phi_267_ = _e64;
         }
-        let _e65 = phi_266_;
-        phi_267_ = _e65;
+        let _e66 = phi_267_;
+        phi_268_ = _e66;
     }
-    let _e67 = phi_267_;
-    let _e68 = (_e51 / _e49);
-    let _e69 = (_e67 - _e44);
-    let _e75 = (((((_e67 * _e67) - _e45) - (_e68 * _e69)) * _e49) / (((((param_10.w * _e34) + _e43) - (_e45 * _e45)) * _e49) - (_e51 * _e51)));
-    let _e78 = ((_e69 / _e49) - (_e68 * _e75));
-    let _e84 = ((0.5f * _e78) / _e75);
-    let _e87 = ((_e84 * _e84) - (((1f - (_e78 * _e44)) - (_e75 * _e45)) / _e75));
-    if (_e87 >= 0f) {
-        let _e89 = sqrt(_e87);
-        phi_302_ = vec2<f32>((-(_e84) - _e89), (-(_e84) + _e89));
-    } else {
-        phi_302_ = vec2(bitcast<f32>((bitcast<u32>(_e87) | 2143289344u)));
-    }
-    let _e100 = phi_302_;
-    if (_e67 <= _e100.x) {
-        phi_375_ = 1f;
-    } else {
-        if (_e67 > _e100.y) {
-            let _e113 = (((_e45 - (_e44 * (_e100.x + _e100.y))) + (_e100.x * _e100.y)) / ((_e67 - _e100.x) * (_e67 - _e100.y)));
-            if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-                phi_338_ = _e113;
+    let _e68 = phi_268_;
+    if (_e45 == _e48) {
+        if (_e68 > 0f) {
+            if ((bitcast<u32>(_e45) & 2147483647u) > 2139095040u) {
+                phi_293_ = _e45;
             } else {
-                if (_e113 < 0f) {
-                    phi_337_ = 0f;
+                if (_e45 < 0f) {
+                    phi_292_ = 0f;
                 } else {
-                    if (_e113 > 1f) {
-                        phi_336_ = 1f;
+                    if (_e45 > 1f) {
+                        phi_291_ = 1f;
                     } else {
-                        phi_336_ = _e113;
+                        phi_291_ = _e45;
                     }
-                    let _e120 = phi_336_;
-                    phi_337_ = _e120;
+                    let _e77 = phi_291_;
+                    phi_292_ = _e77;
                 }
-                let _e122 = phi_337_;
-                phi_338_ = _e122;
+                let _e79 = phi_292_;
+                phi_293_ = _e79;
             }
-            let _e124 = phi_338_;
-            phi_374_ = _e124;
+            let _e81 = phi_293_;
+            phi_294_ = _e81;
+            phi_295_ = false;
         } else {
-            if (_e67 > _e100.x) {
-                let _e135 = (1f - (((_e45 - (_e44 * (_e67 + _e100.y))) + (_e67 * _e100.y)) / ((_e100.x - _e67) * (_e100.x - _e100.y))));
+            phi_294_ = f32();
+            phi_295_ = true;
+        }
+        let _e83 = phi_294_;
+        let _e85 = phi_295_;
+        phi_296_ = _e83;
+        phi_297_ = _e85;
+    } else {
+        phi_296_ = f32();
+        phi_297_ = true;
+    }
+    let _e87 = phi_296_;
+    let _e89 = phi_297_;
+    if _e89 {
+        let _e90 = (_e52 / _e50);
+        let _e91 = (_e68 - _e45);
+        let _e97 = (((((_e68 * _e68) - _e46) - (_e90 * _e91)) * _e50) / (((_e48 - (_e46 * _e46)) * _e50) - (_e52 * _e52)));
+        let _e100 = ((_e91 / _e50) - (_e90 * _e97));
+        let _e106 = ((0.5f * _e100) / _e97);
+        let _e109 = ((_e106 * _e106) - (((1f - (_e100 * _e45)) - (_e97 * _e46)) / _e97));
+        if (_e109 >= 0f) {
+            let _e111 = sqrt(_e109);
+            phi_335_ = vec2<f32>((-(_e106) - _e111), (-(_e106) + _e111));
+        } else {
+            phi_335_ = vec2(bitcast<f32>((bitcast<u32>(_e109) | 2143289344u)));
+        }
+        let _e122 = phi_335_;
+        if (_e68 <= _e122.x) {
+            phi_408_ = 1f;
+        } else {
+            if (_e68 > _e122.y) {
+                let _e135 = (((_e46 - (_e45 * (_e122.x + _e122.y))) + (_e122.x * _e122.y)) / ((_e68 - _e122.x) * (_e68 - _e122.y)));
                 if ((bitcast<u32>(_e135) & 2147483647u) > 2139095040u) {
-                    phi_369_ = _e135;
+                    phi_371_ = _e135;
                 } else {
                     if (_e135 < 0f) {
-                        phi_368_ = 0f;
+                        phi_370_ = 0f;
                     } else {
                         if (_e135 > 1f) {
-                            phi_367_ = 1f;
+                            phi_369_ = 1f;
                         } else {
-                            phi_367_ = _e135;
+                            phi_369_ = _e135;
                         }
-                        let _e142 = phi_367_;
-                        phi_368_ = _e142;
+                        let _e142 = phi_369_;
+                        phi_370_ = _e142;
                     }
-                    let _e144 = phi_368_;
-                    phi_369_ = _e144;
+                    let _e144 = phi_370_;
+                    phi_371_ = _e144;
                 }
-                let _e146 = phi_369_;
-                phi_373_ = _e146;
+                let _e146 = phi_371_;
+                phi_407_ = _e146;
             } else {
-                phi_373_ = bitcast<f32>((bitcast<u32>(_e100.x) | 2143289344u));
+                if (_e68 > _e122.x) {
+                    let _e157 = (1f - (((_e46 - (_e45 * (_e68 + _e122.y))) + (_e68 * _e122.y)) / ((_e122.x - _e68) * (_e122.x - _e122.y))));
+                    if ((bitcast<u32>(_e157) & 2147483647u) > 2139095040u) {
+                        phi_402_ = _e157;
+                    } else {
+                        if (_e157 < 0f) {
+                            phi_401_ = 0f;
+                        } else {
+                            if (_e157 > 1f) {
+                                phi_400_ = 1f;
+                            } else {
+                                phi_400_ = _e157;
+                            }
+                            let _e164 = phi_400_;
+                            phi_401_ = _e164;
+                        }
+                        let _e166 = phi_401_;
+                        phi_402_ = _e166;
+                    }
+                    let _e168 = phi_402_;
+                    phi_406_ = _e168;
+                } else {
+                    phi_406_ = bitcast<f32>((bitcast<u32>(_e122.x) | 2143289344u));
+                }
+                let _e173 = phi_406_;
+                phi_407_ = _e173;
             }
-            let _e151 = phi_373_;
-            phi_374_ = _e151;
+            let _e175 = phi_407_;
+            phi_408_ = _e175;
         }
-        let _e153 = phi_374_;
-        phi_375_ = _e153;
+        let _e177 = phi_408_;
+        phi_409_ = _e177;
+    } else {
+        phi_409_ = _e87;
     }
-    let _e155 = phi_375_;
-    return _e155;
+    let _e179 = phi_409_;
+    return _e179;
 }
 
 fn function_() {
     var local: f32;
-    var phi_429_: bool;
-    var phi_430_: bool;
-    var phi_431_: bool;
-    var phi_432_: bool;
-    var phi_436_: bool;
-    var phi_471_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_475_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_568_: bool;
-    var phi_569_: bool;
-    var phi_570_: bool;
-    var phi_571_: bool;
-    var phi_572_: bool;
-    var phi_573_: bool;
-    var phi_574_: bool;
-    var phi_575_: bool;
-    var phi_576_: bool;
-    var phi_577_: bool;
-    var phi_578_: bool;
-    var phi_579_: bool;
-    var phi_583_: bool;
-    var phi_722_: evaluate_Verdict;
-    var phi_723_: evaluate_Verdict;
-    var phi_724_: bool;
-    var phi_725_: evaluate_Verdict;
-    var phi_726_: evaluate_Verdict;
-    var phi_727_: bool;
-    var phi_731_: evaluate_Verdict;
+    var phi_463_: bool;
+    var phi_464_: bool;
+    var phi_465_: bool;
+    var phi_466_: bool;
+    var phi_470_: bool;
+    var phi_505_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_509_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_602_: bool;
+    var phi_603_: bool;
+    var phi_604_: bool;
+    var phi_605_: bool;
+    var phi_606_: bool;
+    var phi_607_: bool;
+    var phi_608_: bool;
+    var phi_609_: bool;
+    var phi_610_: bool;
+    var phi_611_: bool;
+    var phi_612_: bool;
+    var phi_613_: bool;
+    var phi_617_: bool;
+    var phi_756_: evaluate_Verdict;
+    var phi_757_: evaluate_Verdict;
+    var phi_758_: bool;
+    var phi_759_: evaluate_Verdict;
+    var phi_760_: evaluate_Verdict;
+    var phi_761_: bool;
+    var phi_765_: evaluate_Verdict;
 
-    let _e31 = id_1;
-    let _e38 = arrayLength((&map.member));
-    let _e44 = p.member.size[0u];
-    let _e46 = p.member.size[1u];
-    let _e47 = lt_shaders_entry_pixel_index(_e31, _e44, _e46);
-    if (bitcast<i32>(_e47.root) != 0i) {
-        if (_e47.first_primitive < arrayLength((&samples.member))) {
+    let _e32 = id_1;
+    let _e39 = arrayLength((&map.member));
+    let _e45 = p.member.size[0u];
+    let _e47 = p.member.size[1u];
+    let _e48 = lt_shaders_entry_pixel_index(_e32, _e45, _e47);
+    if (bitcast<i32>(_e48.root) != 0i) {
+        if (_e48.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e56 = p.member.light;
-        let _e59 = samples.member[(0u + _e47.first_primitive)].normal[0u];
-        let _e61 = global[0u];
-        if (_e59 == _e61) {
-            let _e64 = samples.member[(0u + _e47.first_primitive)].normal[1u];
-            let _e66 = global[1u];
-            if (_e64 == _e66) {
-                let _e69 = samples.member[(0u + _e47.first_primitive)].normal[2u];
-                let _e71 = global[2u];
-                phi_429_ = (_e69 == _e71);
-                phi_430_ = false;
+        let _e57 = p.member.light;
+        let _e60 = samples.member[(0u + _e48.first_primitive)].normal[0u];
+        let _e62 = global[0u];
+        if (_e60 == _e62) {
+            let _e65 = samples.member[(0u + _e48.first_primitive)].normal[1u];
+            let _e67 = global[1u];
+            if (_e65 == _e67) {
+                let _e70 = samples.member[(0u + _e48.first_primitive)].normal[2u];
+                let _e72 = global[2u];
+                phi_463_ = (_e70 == _e72);
+                phi_464_ = false;
             } else {
-                phi_429_ = bool();
-                phi_430_ = true;
+                phi_463_ = bool();
+                phi_464_ = true;
             }
-            let _e74 = phi_429_;
-            let _e76 = phi_430_;
-            phi_431_ = _e74;
-            phi_432_ = _e76;
+            let _e75 = phi_463_;
+            let _e77 = phi_464_;
+            phi_465_ = _e75;
+            phi_466_ = _e77;
         } else {
-            phi_431_ = bool();
-            phi_432_ = true;
+            phi_465_ = bool();
+            phi_466_ = true;
         }
-        let _e78 = phi_431_;
-        let _e80 = phi_432_;
-        if _e80 {
-            phi_436_ = false;
+        let _e79 = phi_465_;
+        let _e81 = phi_466_;
+        if _e81 {
+            phi_470_ = false;
         } else {
-            phi_436_ = _e78;
+            phi_470_ = _e79;
         }
-        let _e82 = phi_436_;
-        if !(_e82) {
-            let _e85 = samples.member[(0u + _e47.first_primitive)].normal;
-            let _e87 = samples.member[(0u + _e47.first_primitive)].position;
-            let _e88 = lt_shaders_evaluate_to_light(_e87, _e56);
-            if ((((_e85.x * _e88.x) + (_e85.y * _e88.y)) + (_e85.z * _e88.z)) > 0f) {
-                let _e102 = samples.member[(0u + _e47.first_primitive)].flags;
-                let _e110 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e116 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e110.unnamed.visibility, false), _e110.unnamed_1);
-                phi_471_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e116.unnamed, ((_e102 & 1u) == 0u));
+        let _e83 = phi_470_;
+        if !(_e83) {
+            let _e86 = samples.member[(0u + _e48.first_primitive)].normal;
+            let _e88 = samples.member[(0u + _e48.first_primitive)].position;
+            let _e89 = lt_shaders_evaluate_to_light(_e88, _e57);
+            if ((((_e86.x * _e89.x) + (_e86.y * _e89.y)) + (_e86.z * _e89.z)) > 0f) {
+                let _e103 = samples.member[(0u + _e48.first_primitive)].flags;
+                let _e111 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e117 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e111.unnamed.visibility, false), _e111.unnamed_1);
+                phi_505_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e117.unnamed, ((_e103 & 1u) == 0u));
             } else {
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_471_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, true);
+                let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
+                phi_505_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, true);
             }
-            let _e136 = phi_471_;
-            phi_475_ = _e136;
+            let _e137 = phi_505_;
+            phi_509_ = _e137;
         } else {
-            let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e142.unnamed.visibility, false), _e142.unnamed_1);
-            phi_475_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e148.unnamed, true);
+            let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
+            phi_509_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
         }
-        let _e153 = phi_475_;
-        if _e153.unnamed_1 {
-            phi_725_ = evaluate_Verdict(_e153.unnamed.visibility, _e153.unnamed.is_doubted);
-            phi_726_ = evaluate_Verdict();
-            phi_727_ = true;
+        let _e154 = phi_509_;
+        if _e154.unnamed_1 {
+            phi_759_ = evaluate_Verdict(_e154.unnamed.visibility, _e154.unnamed.is_doubted);
+            phi_760_ = evaluate_Verdict();
+            phi_761_ = true;
         } else {
-            let _e161 = samples.member[(0u + _e47.first_primitive)].position;
-            let _e167 = p.member.projection.row_w;
-            let _e178 = ((((_e167.x * _e161.x) + (_e167.y * _e161.y)) + (_e167.z * _e161.z)) + (_e167.w * 1f));
-            let _e180 = p.member.projection.row_x;
-            let _e192 = (((((_e180.x * _e161.x) + (_e180.y * _e161.y)) + (_e180.z * _e161.z)) + (_e180.w * 1f)) / _e178);
-            let _e194 = p.member.projection.row_y;
-            let _e206 = (((((_e194.x * _e161.x) + (_e194.y * _e161.y)) + (_e194.z * _e161.z)) + (_e194.w * 1f)) / _e178);
-            let _e208 = p.member.projection.row_z;
-            let _e219 = ((((_e208.x * _e161.x) + (_e208.y * _e161.y)) + (_e208.z * _e161.z)) + (_e208.w * 1f));
-            if (_e178 > 0f) {
-                if (_e192 >= 0f) {
-                    if (_e192 <= 1f) {
-                        if (_e206 >= 0f) {
-                            if (_e206 <= 1f) {
-                                if (_e219 >= 0f) {
-                                    phi_568_ = (_e219 <= 1f);
-                                    phi_569_ = false;
+            let _e162 = samples.member[(0u + _e48.first_primitive)].position;
+            let _e168 = p.member.projection.row_w;
+            let _e179 = ((((_e168.x * _e162.x) + (_e168.y * _e162.y)) + (_e168.z * _e162.z)) + (_e168.w * 1f));
+            let _e181 = p.member.projection.row_x;
+            let _e193 = (((((_e181.x * _e162.x) + (_e181.y * _e162.y)) + (_e181.z * _e162.z)) + (_e181.w * 1f)) / _e179);
+            let _e195 = p.member.projection.row_y;
+            let _e207 = (((((_e195.x * _e162.x) + (_e195.y * _e162.y)) + (_e195.z * _e162.z)) + (_e195.w * 1f)) / _e179);
+            let _e209 = p.member.projection.row_z;
+            let _e220 = ((((_e209.x * _e162.x) + (_e209.y * _e162.y)) + (_e209.z * _e162.z)) + (_e209.w * 1f));
+            if (_e179 > 0f) {
+                if (_e193 >= 0f) {
+                    if (_e193 <= 1f) {
+                        if (_e207 >= 0f) {
+                            if (_e207 <= 1f) {
+                                if (_e220 >= 0f) {
+                                    phi_602_ = (_e220 <= 1f);
+                                    phi_603_ = false;
                                 } else {
-                                    phi_568_ = bool();
-                                    phi_569_ = true;
+                                    phi_602_ = bool();
+                                    phi_603_ = true;
                                 }
-                                let _e228 = phi_568_;
-                                let _e230 = phi_569_;
-                                phi_570_ = _e228;
-                                phi_571_ = _e230;
+                                let _e229 = phi_602_;
+                                let _e231 = phi_603_;
+                                phi_604_ = _e229;
+                                phi_605_ = _e231;
                             } else {
-                                phi_570_ = bool();
-                                phi_571_ = true;
+                                phi_604_ = bool();
+                                phi_605_ = true;
                             }
-                            let _e232 = phi_570_;
-                            let _e234 = phi_571_;
-                            phi_572_ = _e232;
-                            phi_573_ = _e234;
+                            let _e233 = phi_604_;
+                            let _e235 = phi_605_;
+                            phi_606_ = _e233;
+                            phi_607_ = _e235;
                         } else {
-                            phi_572_ = bool();
-                            phi_573_ = true;
+                            phi_606_ = bool();
+                            phi_607_ = true;
                         }
-                        let _e236 = phi_572_;
-                        let _e238 = phi_573_;
-                        phi_574_ = _e236;
-                        phi_575_ = _e238;
+                        let _e237 = phi_606_;
+                        let _e239 = phi_607_;
+                        phi_608_ = _e237;
+                        phi_609_ = _e239;
                     } else {
-                        phi_574_ = bool();
-                        phi_575_ = true;
+                        phi_608_ = bool();
+                        phi_609_ = true;
                     }
-                    let _e240 = phi_574_;
-                    let _e242 = phi_575_;
-                    phi_576_ = _e240;
-                    phi_577_ = _e242;
+                    let _e241 = phi_608_;
+                    let _e243 = phi_609_;
+                    phi_610_ = _e241;
+                    phi_611_ = _e243;
                 } else {
-                    phi_576_ = bool();
-                    phi_577_ = true;
+                    phi_610_ = bool();
+                    phi_611_ = true;
                 }
-                let _e244 = phi_576_;
-                let _e246 = phi_577_;
-                phi_578_ = _e244;
-                phi_579_ = _e246;
+                let _e245 = phi_610_;
+                let _e247 = phi_611_;
+                phi_612_ = _e245;
+                phi_613_ = _e247;
             } else {
-                phi_578_ = bool();
-                phi_579_ = true;
+                phi_612_ = bool();
+                phi_613_ = true;
             }
-            let _e248 = phi_578_;
-            let _e250 = phi_579_;
-            if _e250 {
-                phi_583_ = false;
+            let _e249 = phi_612_;
+            let _e251 = phi_613_;
+            if _e251 {
+                phi_617_ = false;
             } else {
-                phi_583_ = _e248;
+                phi_617_ = _e249;
             }
-            let _e252 = phi_583_;
-            if _e252 {
-                let _e254 = p.member.map_size;
-                let _e255 = f32(_e254);
-                let _e258 = ((_e192 * _e255) - 0.5f);
-                let _e259 = ((_e206 * _e255) - 0.5f);
-                let _e260 = floor(_e258);
+            let _e253 = phi_617_;
+            if _e253 {
+                let _e255 = p.member.map_size;
+                let _e256 = f32(_e255);
+                let _e259 = ((_e193 * _e256) - 0.5f);
+                let _e260 = ((_e207 * _e256) - 0.5f);
                 let _e261 = floor(_e259);
-                let _e262 = (_e258 - _e260);
+                let _e262 = floor(_e260);
                 let _e263 = (_e259 - _e261);
-                let _e284 = ((1f - _e262) * (1f - _e263));
-                let _e286 = (_e262 * (1f - _e263));
-                let _e288 = ((1f - _e262) * _e263);
-                let _e289 = (_e262 * _e263);
-                let _e291 = p.member.test;
-                let _e292 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e291);
-                let _e294 = p.member.map_size;
-                local = _e292;
-                let _e295 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e260), i32(-2147483648), (_e260 < bitcast<f32>(3472883712u))), 2147483647i, (_e260 > bitcast<f32>(1325400063u))), (_e260 == _e260)), select(0i, select(select(i32(_e261), i32(-2147483648), (_e261 < bitcast<f32>(3472883712u))), 2147483647i, (_e261 > bitcast<f32>(1325400063u))), (_e261 == _e261)), _e294);
-                if (_e295[0] < _e38) {
+                let _e264 = (_e260 - _e262);
+                let _e285 = ((1f - _e263) * (1f - _e264));
+                let _e287 = (_e263 * (1f - _e264));
+                let _e289 = ((1f - _e263) * _e264);
+                let _e290 = (_e263 * _e264);
+                let _e292 = p.member.test;
+                let _e293 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e292);
+                let _e295 = p.member.map_size;
+                local = _e293;
+                let _e296 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e261), i32(-2147483648), (_e261 < bitcast<f32>(3472883712u))), 2147483647i, (_e261 > bitcast<f32>(1325400063u))), (_e261 == _e261)), select(0i, select(select(i32(_e262), i32(-2147483648), (_e262 < bitcast<f32>(3472883712u))), 2147483647i, (_e262 > bitcast<f32>(1325400063u))), (_e262 == _e262)), _e295);
+                if (_e296[0] < _e39) {
                 } else {
                     return;
                 }
-                let _e300 = map.member[(0u + _e295[0])];
-                if (_e295[1] < _e38) {
+                let _e301 = map.member[(0u + _e296[0])];
+                if (_e296[1] < _e39) {
                 } else {
                     return;
                 }
-                let _e313 = map.member[(0u + _e295[1])];
-                if (_e295[2] < _e38) {
+                let _e314 = map.member[(0u + _e296[1])];
+                if (_e296[2] < _e39) {
                 } else {
                     return;
                 }
-                let _e330 = map.member[(0u + _e295[2])];
-                if (_e295[3] < _e38) {
+                let _e331 = map.member[(0u + _e296[2])];
+                if (_e296[3] < _e39) {
                 } else {
                     return;
                 }
-                let _e347 = map.member[(0u + _e295[3])];
-                let _e361 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e300.x * _e284) + (_e313.x * _e286)) + (_e330.x * _e288)) + (_e347.x * _e289)), ((((_e300.y * _e284) + (_e313.y * _e286)) + (_e330.y * _e288)) + (_e347.y * _e289)), ((((_e300.z * _e284) + (_e313.z * _e286)) + (_e330.z * _e288)) + (_e347.z * _e289)), ((((_e300.w * _e284) + (_e313.w * _e286)) + (_e330.w * _e288)) + (_e347.w * _e289))), _e219);
-                phi_722_ = evaluate_Verdict(_e361, false);
-                phi_723_ = evaluate_Verdict();
-                phi_724_ = false;
+                let _e348 = map.member[(0u + _e296[3])];
+                let _e362 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e301.x * _e285) + (_e314.x * _e287)) + (_e331.x * _e289)) + (_e348.x * _e290)), ((((_e301.y * _e285) + (_e314.y * _e287)) + (_e331.y * _e289)) + (_e348.y * _e290)), ((((_e301.z * _e285) + (_e314.z * _e287)) + (_e331.z * _e289)) + (_e348.z * _e290)), ((((_e301.w * _e285) + (_e314.w * _e287)) + (_e331.w * _e289)) + (_e348.w * _e290))), _e220);
+                phi_756_ = evaluate_Verdict(_e362, false);
+                phi_757_ = evaluate_Verdict();
+                phi_758_ = false;
             } else {
-                phi_722_ = evaluate_Verdict();
-                phi_723_ = evaluate_Verdict(1f, false);
-                phi_724_ = true;
+                phi_756_ = evaluate_Verdict();
+                phi_757_ = evaluate_Verdict(1f, false);
+                phi_758_ = true;
             }
-            let _e365 = phi_722_;
-            let _e367 = phi_723_;
-            let _e369 = phi_724_;
-            phi_725_ = _e367;
-            phi_726_ = _e365;
-            phi_727_ = _e369;
+            let _e366 = phi_756_;
+            let _e368 = phi_757_;
+            let _e370 = phi_758_;
+            phi_759_ = _e368;
+            phi_760_ = _e366;
+            phi_761_ = _e370;
         }
-        let _e371 = phi_725_;
-        let _e373 = phi_726_;
-        let _e375 = phi_727_;
-        if _e375 {
-            phi_731_ = _e371;
+        let _e372 = phi_759_;
+        let _e374 = phi_760_;
+        let _e376 = phi_761_;
+        if _e376 {
+            phi_765_ = _e372;
         } else {
-            phi_731_ = _e373;
+            phi_765_ = _e374;
         }
-        let _e377 = phi_731_;
-        if (_e47.first_primitive < arrayLength((&visibility.member))) {
+        let _e378 = phi_765_;
+        if (_e48.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e47.first_primitive)] = _e377.visibility;
+        visibility.member[(0u + _e48.first_primitive)] = _e378.visibility;
     }
     return;
 }

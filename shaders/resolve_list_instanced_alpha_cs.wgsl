@@ -182,190 +182,190 @@ var<storage> materials: type_18;
 var<storage> alpha_texels: type_22;
 
 fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e74 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e74), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e74), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e74), (f32((param >> bitcast<u32>(24i))) * _e74));
+    let _e75 = (1f / 255f);
+    return vec4<f32>((f32((param & 255u)) * _e75), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e75), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e75), (f32((param >> bitcast<u32>(24i))) * _e75));
 }
 
 fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e64 = (*param_1)[0u].color;
-    let _e65 = lt_shaders_texture_unorm_bytes(_e64);
-    let _e77 = (*param_1)[1u].color;
-    let _e78 = lt_shaders_texture_unorm_bytes(_e77);
-    let _e94 = (*param_1)[2u].color;
-    let _e95 = lt_shaders_texture_unorm_bytes(_e94);
-    return vec4<f32>((((_e65.x * param_2.x) + (_e78.x * param_2.y)) + (_e95.x * param_2.z)), (((_e65.y * param_2.x) + (_e78.y * param_2.y)) + (_e95.y * param_2.z)), (((_e65.z * param_2.x) + (_e78.z * param_2.y)) + (_e95.z * param_2.z)), (((_e65.w * param_2.x) + (_e78.w * param_2.y)) + (_e95.w * param_2.z)));
+    let _e65 = (*param_1)[0u].color;
+    let _e66 = lt_shaders_texture_unorm_bytes(_e65);
+    let _e78 = (*param_1)[1u].color;
+    let _e79 = lt_shaders_texture_unorm_bytes(_e78);
+    let _e95 = (*param_1)[2u].color;
+    let _e96 = lt_shaders_texture_unorm_bytes(_e95);
+    return vec4<f32>((((_e66.x * param_2.x) + (_e79.x * param_2.y)) + (_e96.x * param_2.z)), (((_e66.y * param_2.x) + (_e79.y * param_2.y)) + (_e96.y * param_2.z)), (((_e66.z * param_2.x) + (_e79.z * param_2.y)) + (_e96.z * param_2.z)), (((_e66.w * param_2.x) + (_e79.w * param_2.y)) + (_e96.w * param_2.z)));
 }
 
 fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e64 = (*param_3)[0u].u;
-    let _e67 = (*param_3)[0u].v;
-    let _e73 = (*param_3)[1u].u;
-    let _e76 = (*param_3)[1u].v;
-    let _e84 = (*param_3)[2u].u;
-    let _e87 = (*param_3)[2u].v;
-    return vec2<f32>((((_e64 * param_4.x) + (_e73 * param_4.y)) + (_e84 * param_4.z)), (((_e67 * param_4.x) + (_e76 * param_4.y)) + (_e87 * param_4.z)));
+    let _e65 = (*param_3)[0u].u;
+    let _e68 = (*param_3)[0u].v;
+    let _e74 = (*param_3)[1u].u;
+    let _e77 = (*param_3)[1u].v;
+    let _e85 = (*param_3)[2u].u;
+    let _e88 = (*param_3)[2u].v;
+    return vec2<f32>((((_e65 * param_4.x) + (_e74 * param_4.y)) + (_e85 * param_4.z)), (((_e68 * param_4.x) + (_e77 * param_4.y)) + (_e88 * param_4.z)));
 }
 
 fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_465_: f32;
-    var phi_466_: f32;
-    var phi_467_: f32;
-    var phi_476_: f32;
-    var phi_477_: f32;
+    var phi_469_: f32;
+    var phi_470_: f32;
+    var phi_471_: f32;
+    var phi_480_: f32;
+    var phi_481_: f32;
 
     if (param_6 == 0u) {
-        phi_467_ = (param_5 - floor(param_5));
+        phi_471_ = (param_5 - floor(param_5));
     } else {
         if (param_6 == 1u) {
-            let _e69 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e69 > 1f) {
-                phi_465_ = (2f - _e69);
+            let _e70 = (param_5 - (2f * floor((param_5 * 0.5f))));
+            if (_e70 > 1f) {
+                phi_469_ = (2f - _e70);
             } else {
-                phi_465_ = _e69;
+                phi_469_ = _e70;
             }
-            let _e73 = phi_465_;
-            phi_466_ = _e73;
+            let _e74 = phi_469_;
+            phi_470_ = _e74;
         } else {
-            phi_466_ = param_5;
+            phi_470_ = param_5;
         }
-        let _e75 = phi_466_;
-        phi_467_ = _e75;
+        let _e76 = phi_470_;
+        phi_471_ = _e76;
     }
-    let _e77 = phi_467_;
-    if (_e77 > 0f) {
-        if (_e77 < 1f) {
-            phi_476_ = _e77;
+    let _e78 = phi_471_;
+    if (_e78 > 0f) {
+        if (_e78 < 1f) {
+            phi_480_ = _e78;
         } else {
-            phi_476_ = 1f;
+            phi_480_ = 1f;
         }
-        let _e81 = phi_476_;
-        phi_477_ = _e81;
+        let _e82 = phi_480_;
+        phi_481_ = _e82;
     } else {
-        phi_477_ = 0f;
+        phi_481_ = 0f;
     }
-    let _e83 = phi_477_;
-    return _e83;
+    let _e84 = phi_481_;
+    return _e84;
 }
 
 fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_403_: u32;
-    var phi_417_: u32;
-    var phi_424_: u32;
-    var phi_429_: u32;
-    var phi_435_: u32;
-    var phi_440_: u32;
-    var phi_442_: texture_Axis;
+    var phi_407_: u32;
+    var phi_421_: u32;
+    var phi_428_: u32;
+    var phi_433_: u32;
+    var phi_439_: u32;
+    var phi_444_: u32;
+    var phi_446_: texture_Axis;
 
-    let _e64 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e65 = (param_8 - 1u);
-    let _e67 = (_e64 * f32(param_8));
+    let _e65 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
+    let _e66 = (param_8 - 1u);
+    let _e68 = (_e65 * f32(param_8));
     if param_10 {
-        let _e74 = select(select(u32(_e67), 0u, (_e67 < bitcast<f32>(0u))), 4294967295u, (_e67 > bitcast<f32>(1333788671u)));
-        if (_e65 < _e74) {
-            phi_403_ = _e65;
+        let _e75 = select(select(u32(_e68), 0u, (_e68 < bitcast<f32>(0u))), 4294967295u, (_e68 > bitcast<f32>(1333788671u)));
+        if (_e66 < _e75) {
+            phi_407_ = _e66;
         } else {
-            phi_403_ = _e74;
+            phi_407_ = _e75;
         }
-        let _e77 = phi_403_;
-        phi_442_ = texture_Axis(_e77, _e77, 0f);
+        let _e78 = phi_407_;
+        phi_446_ = texture_Axis(_e78, _e78, 0f);
     } else {
-        let _e79 = (_e67 + 0.5f);
-        let _e86 = select(select(u32(_e79), 0u, (_e79 < bitcast<f32>(0u))), 4294967295u, (_e79 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e86) {
-            phi_417_ = param_8;
+        let _e80 = (_e68 + 0.5f);
+        let _e87 = select(select(u32(_e80), 0u, (_e80 < bitcast<f32>(0u))), 4294967295u, (_e80 > bitcast<f32>(1333788671u)));
+        if (param_8 < _e87) {
+            phi_421_ = param_8;
         } else {
-            phi_417_ = _e86;
+            phi_421_ = _e87;
         }
-        let _e89 = phi_417_;
+        let _e90 = phi_421_;
         if (param_9 == 0u) {
-            phi_424_ = _e65;
+            phi_428_ = _e66;
         } else {
-            phi_424_ = 0u;
+            phi_428_ = 0u;
         }
-        let _e94 = phi_424_;
+        let _e95 = phi_428_;
         if (param_9 == 0u) {
-            phi_429_ = 0u;
+            phi_433_ = 0u;
         } else {
-            phi_429_ = _e65;
+            phi_433_ = _e66;
         }
-        let _e97 = phi_429_;
-        if (_e89 == 0u) {
-            phi_435_ = _e94;
+        let _e98 = phi_433_;
+        if (_e90 == 0u) {
+            phi_439_ = _e95;
         } else {
-            phi_435_ = (_e89 - 1u);
+            phi_439_ = (_e90 - 1u);
         }
-        let _e101 = phi_435_;
-        if (_e89 > _e65) {
-            phi_440_ = _e97;
+        let _e102 = phi_439_;
+        if (_e90 > _e66) {
+            phi_444_ = _e98;
         } else {
-            phi_440_ = _e89;
+            phi_444_ = _e90;
         }
-        let _e104 = phi_440_;
-        phi_442_ = texture_Axis(_e101, _e104, (_e79 - f32(_e89)));
+        let _e105 = phi_444_;
+        phi_446_ = texture_Axis(_e102, _e105, (_e80 - f32(_e90)));
     }
-    let _e107 = phi_442_;
-    return _e107;
+    let _e108 = phi_446_;
+    return _e108;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e64 = (*param_11).size;
-    let _e65 = (_e64 & 65535u);
-    let _e67 = (*param_11).size;
-    let _e71 = (*param_11).flags;
-    let _e73 = ((_e71 & 4u) != 0u);
-    let _e75 = (*param_11).flags;
-    let _e79 = lt_shaders_texture_axis(param_12, _e65, ((_e75 >> bitcast<u32>(4u)) & 3u), _e73);
-    let _e81 = (*param_11).flags;
-    let _e85 = lt_shaders_texture_axis(param_13, (_e67 >> bitcast<u32>(16i)), ((_e81 >> bitcast<u32>(6u)) & 3u), _e73);
-    let _e89 = (*param_11).offset;
-    let _e96 = (*param_11).offset;
-    let _e103 = (*param_11).offset;
-    let _e110 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e89 + (_e85.low * _e65)) + _e79.low), ((_e96 + (_e85.low * _e65)) + _e79.high), ((_e103 + (_e85.high * _e65)) + _e79.low), ((_e110 + (_e85.high * _e65)) + _e79.high)), vec4<f32>(((1f - _e79.fraction) * (1f - _e85.fraction)), (_e79.fraction * (1f - _e85.fraction)), ((1f - _e79.fraction) * _e85.fraction), (_e79.fraction * _e85.fraction)));
+    let _e65 = (*param_11).size;
+    let _e66 = (_e65 & 65535u);
+    let _e68 = (*param_11).size;
+    let _e72 = (*param_11).flags;
+    let _e74 = ((_e72 & 4u) != 0u);
+    let _e76 = (*param_11).flags;
+    let _e80 = lt_shaders_texture_axis(param_12, _e66, ((_e76 >> bitcast<u32>(4u)) & 3u), _e74);
+    let _e82 = (*param_11).flags;
+    let _e86 = lt_shaders_texture_axis(param_13, (_e68 >> bitcast<u32>(16i)), ((_e82 >> bitcast<u32>(6u)) & 3u), _e74);
+    let _e90 = (*param_11).offset;
+    let _e97 = (*param_11).offset;
+    let _e104 = (*param_11).offset;
+    let _e111 = (*param_11).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e90 + (_e86.low * _e66)) + _e80.low), ((_e97 + (_e86.low * _e66)) + _e80.high), ((_e104 + (_e86.high * _e66)) + _e80.low), ((_e111 + (_e86.high * _e66)) + _e80.high)), vec4<f32>(((1f - _e80.fraction) * (1f - _e86.fraction)), (_e80.fraction * (1f - _e86.fraction)), ((1f - _e80.fraction) * _e86.fraction), (_e80.fraction * _e86.fraction)));
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_14: f32, param_15: f32) -> f32 {
-    var phi_489_: bool;
-    var phi_493_: f32;
+    var phi_493_: bool;
+    var phi_497_: f32;
 
     if (param_14 != param_14) {
-        phi_489_ = true;
+        phi_493_ = true;
     } else {
-        let _e63 = (param_15 >= param_14);
-        if _e63 {
+        let _e64 = (param_15 >= param_14);
+        if _e64 {
         }
-        phi_489_ = _e63;
+        phi_493_ = _e64;
     }
-    let _e65 = phi_489_;
-    if _e65 {
-        phi_493_ = param_15;
+    let _e66 = phi_493_;
+    if _e66 {
+        phi_497_ = param_15;
     } else {
-        phi_493_ = param_14;
+        phi_497_ = param_14;
     }
-    let _e67 = phi_493_;
-    return _e67;
+    let _e68 = phi_497_;
+    return _e68;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_16: f32, param_17: f32) -> f32 {
-    var phi_505_: bool;
-    var phi_509_: f32;
+    var phi_509_: bool;
+    var phi_513_: f32;
 
     if (param_16 != param_16) {
-        phi_505_ = true;
+        phi_509_ = true;
     } else {
-        let _e63 = (param_17 <= param_16);
-        if _e63 {
+        let _e64 = (param_17 <= param_16);
+        if _e64 {
         }
-        phi_505_ = _e63;
+        phi_509_ = _e64;
     }
-    let _e65 = phi_505_;
-    if _e65 {
-        phi_509_ = param_17;
+    let _e66 = phi_509_;
+    if _e66 {
+        phi_513_ = param_17;
     } else {
-        phi_509_ = param_16;
+        phi_513_ = param_16;
     }
-    let _e67 = phi_509_;
-    return _e67;
+    let _e68 = phi_513_;
+    return _e68;
 }
 
 fn lt_shaders_surface_barycentric_weights(param_18: f32, param_19: f32) -> vec3<f32> {
@@ -376,24 +376,19 @@ fn lt_shaders_evaluate_to_light(param_20: vec3<f32>, param_21: vec4<f32>) -> vec
     return vec3<f32>((param_21.x - (param_20.x * param_21.w)), (param_21.y - (param_20.y * param_21.w)), (param_21.z - (param_20.z * param_21.w)));
 }
 
+fn lt_shaders_doubt_slot_of(param_22: vec3<u32>) -> u32 {
+    return ((param_22.y * 2097152u) + param_22.x);
+}
+
 fn function_() {
     var local: texture_TextureView;
     var local_1: array<abi_Vertex, 3>;
     var local_2: lt_bvh_traverse_Stack;
     var local_3: lt_bvh_traverse_Stack;
-    var phi_631_: f32;
-    var phi_682_: bool;
-    var phi_683_: bool;
-    var phi_684_: bool;
-    var phi_688_: bool;
-    var phi_689_: bool;
-    var phi_690_: bool;
+    var phi_640_: f32;
     var phi_691_: bool;
     var phi_692_: bool;
     var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_695_: bool;
-    var phi_696_: bool;
     var phi_697_: bool;
     var phi_698_: bool;
     var phi_699_: bool;
@@ -403,64 +398,64 @@ fn function_() {
     var phi_703_: bool;
     var phi_704_: bool;
     var phi_705_: bool;
+    var phi_706_: bool;
+    var phi_707_: bool;
+    var phi_708_: bool;
     var phi_709_: bool;
+    var phi_710_: bool;
+    var phi_711_: bool;
+    var phi_712_: bool;
     var phi_713_: bool;
-    var phi_787_: f32;
-    var phi_794_: f32;
-    var phi_802_: f32;
-    var phi_809_: f32;
-    var phi_817_: f32;
-    var phi_824_: f32;
-    var phi_841_: f32;
-    var phi_846_: f32;
-    var phi_851_: f32;
-    var phi_872_: u32;
-    var phi_877_: u32;
-    var phi_882_: u32;
-    var phi_996_: bool;
-    var phi_997_: bool;
-    var phi_1028_: u32;
-    var phi_1030_: u32;
-    var phi_1111_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1138_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1165_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1171_: u32;
-    var phi_1174_: u32;
-    var phi_1188_: u32;
-    var phi_1198_: u32;
-    var phi_1208_: u32;
-    var phi_1226_: u32;
-    var phi_1236_: u32;
-    var phi_1246_: u32;
-    var phi_1282_: u32;
-    var phi_1295_: u32;
-    var phi_1300_: u32;
-    var phi_1301_: u32;
-    var phi_1302_: u32;
-    var phi_1172_: u32;
-    var phi_1175_: u32;
+    var phi_714_: bool;
+    var phi_718_: bool;
+    var phi_722_: bool;
+    var phi_796_: f32;
+    var phi_803_: f32;
+    var phi_811_: f32;
+    var phi_818_: f32;
+    var phi_826_: f32;
+    var phi_833_: f32;
+    var phi_850_: f32;
+    var phi_855_: f32;
+    var phi_860_: f32;
+    var phi_881_: u32;
+    var phi_886_: u32;
+    var phi_891_: u32;
+    var phi_1005_: bool;
+    var phi_1006_: bool;
+    var phi_1037_: u32;
+    var phi_1039_: u32;
+    var phi_1120_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1147_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1174_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1180_: u32;
+    var phi_1183_: u32;
+    var phi_1197_: u32;
+    var phi_1207_: u32;
+    var phi_1217_: u32;
+    var phi_1235_: u32;
+    var phi_1245_: u32;
+    var phi_1255_: u32;
+    var phi_1291_: u32;
+    var phi_1304_: u32;
+    var phi_1309_: u32;
+    var phi_1310_: u32;
+    var phi_1311_: u32;
+    var phi_1181_: u32;
+    var phi_1184_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_1360_: u32;
-    var phi_1410_: f32;
-    var phi_1415_: f32;
-    var phi_1420_: f32;
-    var phi_1428_: f32;
-    var phi_1433_: f32;
-    var phi_1438_: f32;
-    var phi_1585_: bool;
-    var phi_1586_: bool;
-    var phi_1587_: bool;
-    var phi_1591_: bool;
-    var phi_1592_: bool;
-    var phi_1593_: bool;
+    var phi_1369_: u32;
+    var phi_1419_: f32;
+    var phi_1424_: f32;
+    var phi_1429_: f32;
+    var phi_1437_: f32;
+    var phi_1442_: f32;
+    var phi_1447_: f32;
     var phi_1594_: bool;
     var phi_1595_: bool;
     var phi_1596_: bool;
-    var phi_1597_: bool;
-    var phi_1598_: bool;
-    var phi_1599_: bool;
     var phi_1600_: bool;
     var phi_1601_: bool;
     var phi_1602_: bool;
@@ -470,184 +465,193 @@ fn function_() {
     var phi_1606_: bool;
     var phi_1607_: bool;
     var phi_1608_: bool;
+    var phi_1609_: bool;
+    var phi_1610_: bool;
+    var phi_1611_: bool;
     var phi_1612_: bool;
+    var phi_1613_: bool;
+    var phi_1614_: bool;
+    var phi_1615_: bool;
     var phi_1616_: bool;
-    var phi_1686_: f32;
-    var phi_1693_: f32;
-    var phi_1700_: f32;
-    var phi_1707_: f32;
-    var phi_1714_: f32;
-    var phi_1721_: f32;
-    var phi_1738_: f32;
-    var phi_1743_: f32;
-    var phi_1748_: f32;
-    var phi_1776_: bool;
-    var phi_1777_: bool;
-    var phi_1785_: u32;
-    var phi_1786_: u32;
-    var phi_1797_: vec3<f32>;
-    var phi_1798_: vec3<f32>;
-    var phi_1811_: u32;
-    var phi_1816_: u32;
-    var phi_1821_: u32;
-    var phi_1935_: bool;
-    var phi_1936_: bool;
-    var phi_1967_: u32;
-    var phi_1969_: u32;
-    var phi_2050_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2077_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2104_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2110_: u32;
-    var phi_2113_: u32;
-    var phi_2127_: u32;
-    var phi_2137_: u32;
-    var phi_2147_: u32;
-    var phi_2165_: u32;
-    var phi_2175_: u32;
-    var phi_2185_: u32;
-    var phi_2221_: u32;
-    var phi_2234_: u32;
-    var phi_2239_: u32;
-    var phi_2240_: u32;
-    var phi_2241_: u32;
-    var phi_2111_: u32;
-    var phi_2114_: u32;
+    var phi_1617_: bool;
+    var phi_1621_: bool;
+    var phi_1625_: bool;
+    var phi_1695_: f32;
+    var phi_1702_: f32;
+    var phi_1709_: f32;
+    var phi_1716_: f32;
+    var phi_1723_: f32;
+    var phi_1730_: f32;
+    var phi_1747_: f32;
+    var phi_1752_: f32;
+    var phi_1757_: f32;
+    var phi_1785_: bool;
+    var phi_1786_: bool;
+    var phi_1794_: u32;
+    var phi_1795_: u32;
+    var phi_1806_: vec3<f32>;
+    var phi_1807_: vec3<f32>;
+    var phi_1820_: u32;
+    var phi_1825_: u32;
+    var phi_1830_: u32;
+    var phi_1944_: bool;
+    var phi_1945_: bool;
+    var phi_1976_: u32;
+    var phi_1978_: u32;
+    var phi_2059_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2086_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2113_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2119_: u32;
+    var phi_2122_: u32;
+    var phi_2136_: u32;
+    var phi_2146_: u32;
+    var phi_2156_: u32;
+    var phi_2174_: u32;
+    var phi_2184_: u32;
+    var phi_2194_: u32;
+    var phi_2230_: u32;
+    var phi_2243_: u32;
+    var phi_2248_: u32;
+    var phi_2249_: u32;
+    var phi_2250_: u32;
+    var phi_2120_: u32;
+    var phi_2123_: u32;
     var local_7: u32;
     var local_8: u32;
     var local_9: u32;
-    var phi_2299_: u32;
-    var phi_2344_: vec3<f32>;
-    var phi_2345_: vec3<f32>;
-    var phi_2376_: vec3<f32>;
-    var phi_2377_: vec3<f32>;
-    var phi_2408_: vec3<f32>;
-    var phi_2409_: vec3<f32>;
-    var phi_2429_: bool;
-    var phi_2430_: bool;
-    var phi_2434_: f32;
-    var phi_2435_: f32;
-    var phi_2436_: f32;
-    var phi_2437_: f32;
+    var phi_2308_: u32;
+    var phi_2353_: vec3<f32>;
+    var phi_2354_: vec3<f32>;
+    var phi_2385_: vec3<f32>;
+    var phi_2386_: vec3<f32>;
+    var phi_2417_: vec3<f32>;
+    var phi_2418_: vec3<f32>;
+    var phi_2438_: bool;
+    var phi_2439_: bool;
+    var phi_2443_: f32;
+    var phi_2444_: f32;
     var phi_2445_: f32;
-    var phi_2455_: bool;
-    var phi_2456_: bool;
-    var phi_2460_: f32;
-    var phi_2461_: f32;
-    var phi_2462_: f32;
-    var phi_2463_: f32;
+    var phi_2446_: f32;
+    var phi_2454_: f32;
+    var phi_2464_: bool;
+    var phi_2465_: bool;
+    var phi_2469_: f32;
+    var phi_2470_: f32;
     var phi_2471_: f32;
-    var phi_2481_: bool;
-    var phi_2482_: bool;
-    var phi_2486_: f32;
-    var phi_2487_: f32;
-    var phi_2488_: f32;
-    var phi_2489_: f32;
+    var phi_2472_: f32;
+    var phi_2480_: f32;
+    var phi_2490_: bool;
+    var phi_2491_: bool;
+    var phi_2495_: f32;
+    var phi_2496_: f32;
     var phi_2497_: f32;
-    var phi_2512_: f32;
-    var phi_2513_: bool;
-    var phi_2514_: f32;
-    var phi_2515_: bool;
-    var phi_2516_: f32;
-    var phi_2517_: bool;
-    var phi_2535_: f32;
-    var phi_2536_: bool;
-    var phi_2537_: bool;
-    var phi_2538_: f32;
-    var phi_2539_: bool;
-    var phi_2540_: bool;
-    var phi_2544_: bool;
-    var phi_2545_: f32;
+    var phi_2498_: f32;
+    var phi_2506_: f32;
+    var phi_2521_: f32;
+    var phi_2522_: bool;
+    var phi_2523_: f32;
+    var phi_2524_: bool;
+    var phi_2525_: f32;
+    var phi_2526_: bool;
+    var phi_2544_: f32;
+    var phi_2545_: bool;
     var phi_2546_: bool;
-    var phi_2572_: f32;
+    var phi_2547_: f32;
+    var phi_2548_: bool;
+    var phi_2549_: bool;
+    var phi_2553_: bool;
+    var phi_2554_: f32;
+    var phi_2555_: bool;
     var phi_2581_: f32;
     var phi_2590_: f32;
     var phi_2599_: f32;
-    var phi_2606_: f32;
-    var phi_2613_: f32;
-    var phi_2626_: f32;
+    var phi_2608_: f32;
+    var phi_2615_: f32;
+    var phi_2622_: f32;
     var phi_2635_: f32;
     var phi_2644_: f32;
     var phi_2653_: f32;
-    var phi_2660_: f32;
-    var phi_2667_: f32;
-    var phi_2684_: f32;
-    var phi_2689_: f32;
-    var phi_2694_: f32;
-    var phi_2702_: f32;
-    var phi_2707_: f32;
-    var phi_2712_: f32;
-    var phi_2724_: f32;
-    var phi_2729_: f32;
-    var phi_2734_: f32;
-    var phi_2739_: f32;
-    var phi_2744_: lt_bvh_triangle_Intersection;
-    var phi_2745_: lt_bvh_triangle_Intersection;
-    var phi_2746_: bool;
-    var phi_2750_: lt_bvh_triangle_Intersection;
-    var phi_2959_: f32;
-    var phi_2962_: bool;
-    var phi_2963_: bool;
-    var phi_2967_: bool;
-    var phi_2968_: bool;
-    var phi_2969_: bool;
-    var phi_2970_: bool;
+    var phi_2662_: f32;
+    var phi_2669_: f32;
+    var phi_2676_: f32;
+    var phi_2693_: f32;
+    var phi_2698_: f32;
+    var phi_2703_: f32;
+    var phi_2711_: f32;
+    var phi_2716_: f32;
+    var phi_2721_: f32;
+    var phi_2733_: f32;
+    var phi_2738_: f32;
+    var phi_2743_: f32;
+    var phi_2748_: f32;
+    var phi_2753_: lt_bvh_triangle_Intersection;
+    var phi_2754_: lt_bvh_triangle_Intersection;
+    var phi_2755_: bool;
+    var phi_2759_: lt_bvh_triangle_Intersection;
+    var phi_2968_: f32;
     var phi_2971_: bool;
     var phi_2972_: bool;
-    var phi_2973_: bool;
-    var phi_2974_: bool;
-    var phi_2975_: bool;
     var phi_2976_: bool;
     var phi_2977_: bool;
     var phi_2978_: bool;
+    var phi_2979_: bool;
+    var phi_2980_: bool;
+    var phi_2981_: bool;
     var phi_2982_: bool;
     var phi_2983_: bool;
-    var phi_2300_: u32;
     var phi_2984_: bool;
     var phi_2985_: bool;
     var phi_2986_: bool;
+    var phi_2987_: bool;
+    var phi_2991_: bool;
+    var phi_2992_: bool;
+    var phi_2309_: u32;
+    var phi_2993_: bool;
+    var phi_2994_: bool;
+    var phi_2995_: bool;
     var local_10: bool;
-    var phi_3028_: bool;
-    var phi_3029_: bool;
-    var phi_3060_: u32;
-    var phi_3061_: u32;
-    var phi_3062_: bool;
-    var phi_3063_: bool;
-    var phi_1970_: u32;
-    var phi_3064_: bool;
-    var phi_3065_: bool;
-    var phi_3066_: bool;
-    var phi_3067_: bool;
-    var local_11: bool;
+    var phi_3037_: bool;
+    var phi_3038_: bool;
+    var phi_3069_: u32;
+    var phi_3070_: u32;
     var phi_3071_: bool;
     var phi_3072_: bool;
+    var phi_1979_: u32;
+    var phi_3073_: bool;
+    var phi_3074_: bool;
+    var phi_3075_: bool;
     var phi_3076_: bool;
+    var local_11: bool;
     var phi_3080_: bool;
     var phi_3081_: bool;
-    var phi_3082_: bool;
-    var phi_3083_: bool;
-    var phi_3087_: bool;
+    var phi_3085_: bool;
+    var phi_3089_: bool;
+    var phi_3090_: bool;
     var phi_3091_: bool;
     var phi_3092_: bool;
-    var phi_3093_: bool;
-    var phi_3094_: bool;
-    var phi_1361_: u32;
-    var phi_3098_: bool;
+    var phi_3096_: bool;
+    var phi_3100_: bool;
+    var phi_3101_: bool;
+    var phi_3102_: bool;
+    var phi_3103_: bool;
+    var phi_1370_: u32;
+    var phi_3107_: bool;
     var local_12: bool;
-    var phi_3140_: bool;
-    var phi_3141_: bool;
-    var phi_3172_: u32;
-    var phi_3173_: u32;
-    var phi_1031_: u32;
-    var phi_3174_: bool;
-    var phi_3175_: bool;
-    var local_13: bool;
-    var phi_3179_: bool;
+    var phi_3149_: bool;
+    var phi_3150_: bool;
+    var phi_3181_: u32;
+    var phi_3182_: u32;
+    var phi_1040_: u32;
     var phi_3183_: bool;
     var phi_3184_: bool;
-    var phi_3185_: bool;
-    var phi_3186_: bool;
-    var phi_3190_: bool;
-    var phi_3194_: f32;
+    var local_13: bool;
+    var phi_3188_: bool;
+    var phi_3192_: bool;
+    var phi_3193_: bool;
+    var phi_3194_: bool;
+    var phi_3195_: bool;
+    var phi_3199_: bool;
+    var phi_3203_: f32;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
@@ -655,20 +659,21 @@ fn function_() {
     var local_18: bool;
     var local_19: bool;
 
-    let _e64 = id_1;
-    let _e71 = arrayLength((&nodes.member));
-    let _e74 = arrayLength((&triangles.member));
-    let _e80 = arrayLength((&list.member));
-    let _e86 = arrayLength((&vertices.member));
-    let _e92 = arrayLength((&alpha_texels.member));
-    if (3u < _e80) {
+    let _e65 = id_1;
+    let _e72 = arrayLength((&nodes.member));
+    let _e75 = arrayLength((&triangles.member));
+    let _e81 = arrayLength((&list.member));
+    let _e87 = arrayLength((&vertices.member));
+    let _e93 = arrayLength((&alpha_texels.member));
+    let _e94 = lt_shaders_doubt_slot_of(_e65);
+    if (3u < _e81) {
     } else {
         return;
     }
-    let _e96 = list.member[3u];
-    if (_e64.x < _e96) {
-        let _e99 = (_e64.x + 4u);
-        if (_e99 < _e80) {
+    let _e97 = list.member[3u];
+    if (_e94 < _e97) {
+        let _e99 = (_e94 + 4u);
+        if (_e99 < _e81) {
         } else {
             return;
         }
@@ -691,11 +696,11 @@ fn function_() {
         let _e130 = (_e112.z + _e124);
         let _e132 = (_e112 + vec3<f32>(_e120, _e122, _e124));
         if (_e110.w == 0f) {
-            phi_631_ = 300000000000000000000000000000000000000f;
+            phi_640_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_631_ = 1f;
+            phi_640_ = 1f;
         }
-        let _e136 = phi_631_;
+        let _e136 = phi_640_;
         let _e137 = lt_shaders_evaluate_to_light(_e132, _e110);
         let _e138 = lt_bvh_Ray(_e132, 0f, _e137, _e136);
         let _e143 = abs(_e137.x);
@@ -708,108 +713,108 @@ fn function_() {
                         if (_e145 < 1000000000000000f) {
                             if (_e147 < 1000000000000000f) {
                                 if (_e143 > 0f) {
-                                    phi_683_ = bool();
-                                    phi_684_ = true;
+                                    phi_692_ = bool();
+                                    phi_693_ = true;
                                 } else {
                                     let _e155 = (_e145 > 0f);
                                     if _e155 {
-                                        phi_682_ = bool();
+                                        phi_691_ = bool();
                                     } else {
-                                        phi_682_ = (_e147 > 0f);
+                                        phi_691_ = (_e147 > 0f);
                                     }
-                                    let _e158 = phi_682_;
-                                    phi_683_ = _e158;
-                                    phi_684_ = _e155;
+                                    let _e158 = phi_691_;
+                                    phi_692_ = _e158;
+                                    phi_693_ = _e155;
                                 }
-                                let _e160 = phi_683_;
-                                let _e162 = phi_684_;
+                                let _e160 = phi_692_;
+                                let _e162 = phi_693_;
                                 if _e162 {
-                                    phi_688_ = true;
+                                    phi_697_ = true;
                                 } else {
-                                    phi_688_ = _e160;
+                                    phi_697_ = _e160;
                                 }
-                                let _e164 = phi_688_;
-                                phi_689_ = _e164;
-                                phi_690_ = false;
+                                let _e164 = phi_697_;
+                                phi_698_ = _e164;
+                                phi_699_ = false;
                             } else {
-                                phi_689_ = bool();
-                                phi_690_ = true;
+                                phi_698_ = bool();
+                                phi_699_ = true;
                             }
-                            let _e166 = phi_689_;
-                            let _e168 = phi_690_;
-                            phi_691_ = _e166;
-                            phi_692_ = false;
-                            phi_693_ = _e168;
+                            let _e166 = phi_698_;
+                            let _e168 = phi_699_;
+                            phi_700_ = _e166;
+                            phi_701_ = false;
+                            phi_702_ = _e168;
                         } else {
-                            phi_691_ = bool();
-                            phi_692_ = true;
-                            phi_693_ = false;
+                            phi_700_ = bool();
+                            phi_701_ = true;
+                            phi_702_ = false;
                         }
-                        let _e170 = phi_691_;
-                        let _e172 = phi_692_;
-                        let _e174 = phi_693_;
-                        phi_694_ = _e170;
-                        phi_695_ = _e172;
-                        phi_696_ = _e174;
+                        let _e170 = phi_700_;
+                        let _e172 = phi_701_;
+                        let _e174 = phi_702_;
+                        phi_703_ = _e170;
+                        phi_704_ = _e172;
+                        phi_705_ = _e174;
                     } else {
-                        phi_694_ = bool();
-                        phi_695_ = true;
-                        phi_696_ = false;
+                        phi_703_ = bool();
+                        phi_704_ = true;
+                        phi_705_ = false;
                     }
-                    let _e176 = phi_694_;
-                    let _e178 = phi_695_;
-                    let _e180 = phi_696_;
-                    phi_697_ = _e176;
-                    phi_698_ = _e178;
-                    phi_699_ = _e180;
+                    let _e176 = phi_703_;
+                    let _e178 = phi_704_;
+                    let _e180 = phi_705_;
+                    phi_706_ = _e176;
+                    phi_707_ = _e178;
+                    phi_708_ = _e180;
                 } else {
-                    phi_697_ = bool();
-                    phi_698_ = true;
-                    phi_699_ = false;
+                    phi_706_ = bool();
+                    phi_707_ = true;
+                    phi_708_ = false;
                 }
-                let _e182 = phi_697_;
-                let _e184 = phi_698_;
-                let _e186 = phi_699_;
-                phi_700_ = _e182;
-                phi_701_ = _e184;
-                phi_702_ = _e186;
+                let _e182 = phi_706_;
+                let _e184 = phi_707_;
+                let _e186 = phi_708_;
+                phi_709_ = _e182;
+                phi_710_ = _e184;
+                phi_711_ = _e186;
             } else {
-                phi_700_ = bool();
-                phi_701_ = true;
-                phi_702_ = false;
+                phi_709_ = bool();
+                phi_710_ = true;
+                phi_711_ = false;
             }
-            let _e188 = phi_700_;
-            let _e190 = phi_701_;
-            let _e192 = phi_702_;
-            phi_703_ = _e188;
-            phi_704_ = _e190;
-            phi_705_ = _e192;
+            let _e188 = phi_709_;
+            let _e190 = phi_710_;
+            let _e192 = phi_711_;
+            phi_712_ = _e188;
+            phi_713_ = _e190;
+            phi_714_ = _e192;
         } else {
-            phi_703_ = bool();
-            phi_704_ = true;
-            phi_705_ = false;
+            phi_712_ = bool();
+            phi_713_ = true;
+            phi_714_ = false;
         }
-        let _e194 = phi_703_;
-        let _e196 = phi_704_;
-        let _e198 = phi_705_;
+        let _e194 = phi_712_;
+        let _e196 = phi_713_;
+        let _e198 = phi_714_;
         if _e196 {
-            phi_709_ = true;
+            phi_718_ = true;
         } else {
-            phi_709_ = _e198;
+            phi_718_ = _e198;
         }
-        let _e200 = phi_709_;
+        let _e200 = phi_718_;
         if _e200 {
-            phi_713_ = false;
+            phi_722_ = false;
         } else {
-            phi_713_ = _e194;
+            phi_722_ = _e194;
         }
-        let _e202 = phi_713_;
+        let _e202 = phi_722_;
         if _e202 {
-            let _e203 = (_e105 >= _e71);
+            let _e203 = (_e105 >= _e72);
             if _e203 {
-                phi_3184_ = bool();
+                phi_3193_ = bool();
             } else {
-                if (_e105 < _e71) {
+                if (_e105 < _e72) {
                 } else {
                     return;
                 }
@@ -824,41 +829,41 @@ fn function_() {
                 let _e271 = core_intrinsics_maximum_number_nsz_f32_(_e270, abs(_e137.z));
                 let _e272 = (_e271 * 0.0000000000009094947f);
                 if (abs(_e138.direction.x) < _e272) {
-                    phi_787_ = _e272;
+                    phi_796_ = _e272;
                 } else {
-                    phi_787_ = abs(_e138.direction.x);
+                    phi_796_ = abs(_e138.direction.x);
                 }
-                let _e279 = phi_787_;
+                let _e279 = phi_796_;
                 if (_e138.direction.x < 0f) {
-                    phi_794_ = (-1f / _e279);
+                    phi_803_ = (-1f / _e279);
                 } else {
-                    phi_794_ = (1f / _e279);
+                    phi_803_ = (1f / _e279);
                 }
-                let _e284 = phi_794_;
+                let _e284 = phi_803_;
                 if (abs(_e138.direction.y) < _e272) {
-                    phi_802_ = _e272;
+                    phi_811_ = _e272;
                 } else {
-                    phi_802_ = abs(_e138.direction.y);
+                    phi_811_ = abs(_e138.direction.y);
                 }
-                let _e291 = phi_802_;
+                let _e291 = phi_811_;
                 if (_e138.direction.y < 0f) {
-                    phi_809_ = (-1f / _e291);
+                    phi_818_ = (-1f / _e291);
                 } else {
-                    phi_809_ = (1f / _e291);
+                    phi_818_ = (1f / _e291);
                 }
-                let _e296 = phi_809_;
+                let _e296 = phi_818_;
                 if (abs(_e138.direction.z) < _e272) {
-                    phi_817_ = _e272;
+                    phi_826_ = _e272;
                 } else {
-                    phi_817_ = abs(_e138.direction.z);
+                    phi_826_ = abs(_e138.direction.z);
                 }
-                let _e303 = phi_817_;
+                let _e303 = phi_826_;
                 if (_e138.direction.z < 0f) {
-                    phi_824_ = (-1f / _e303);
+                    phi_833_ = (-1f / _e303);
                 } else {
-                    phi_824_ = (1f / _e303);
+                    phi_833_ = (1f / _e303);
                 }
-                let _e308 = phi_824_;
+                let _e308 = phi_833_;
                 let _e312 = abs((bitcast<f32>(_e209) - _e126));
                 let _e313 = abs((bitcast<f32>(_e213) - _e128));
                 let _e314 = abs((bitcast<f32>(_e217) - _e130));
@@ -866,23 +871,23 @@ fn function_() {
                 let _e319 = abs(((bitcast<f32>(_e225) + (bitcast<f32>((((_e233 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
                 let _e320 = abs(((bitcast<f32>(_e229) + (bitcast<f32>((((_e233 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
                 if (_e312 > _e318) {
-                    phi_841_ = _e312;
+                    phi_850_ = _e312;
                 } else {
-                    phi_841_ = _e318;
+                    phi_850_ = _e318;
                 }
-                let _e323 = phi_841_;
+                let _e323 = phi_850_;
                 if (_e313 > _e319) {
-                    phi_846_ = _e313;
+                    phi_855_ = _e313;
                 } else {
-                    phi_846_ = _e319;
+                    phi_855_ = _e319;
                 }
-                let _e326 = phi_846_;
+                let _e326 = phi_855_;
                 if (_e314 > _e320) {
-                    phi_851_ = _e314;
+                    phi_860_ = _e314;
                 } else {
-                    phi_851_ = _e320;
+                    phi_860_ = _e320;
                 }
-                let _e329 = phi_851_;
+                let _e329 = phi_860_;
                 let _e330 = core_intrinsics_maximum_number_nsz_f32_(_e323, _e326);
                 let _e331 = core_intrinsics_maximum_number_nsz_f32_(_e330, _e329);
                 let _e335 = (_e331 * 0.0000019073486f);
@@ -894,23 +899,23 @@ fn function_() {
                 let _e344 = (abs(_e296) * _e342);
                 let _e345 = (abs(_e308) * _e342);
                 if (_e284 < 0f) {
-                    phi_872_ = 0u;
+                    phi_881_ = 0u;
                 } else {
-                    phi_872_ = 1u;
+                    phi_881_ = 1u;
                 }
-                let _e348 = phi_872_;
+                let _e348 = phi_881_;
                 if (_e296 < 0f) {
-                    phi_877_ = 0u;
+                    phi_886_ = 0u;
                 } else {
-                    phi_877_ = 2u;
+                    phi_886_ = 2u;
                 }
-                let _e351 = phi_877_;
+                let _e351 = phi_886_;
                 if (_e308 < 0f) {
-                    phi_882_ = 0u;
+                    phi_891_ = 0u;
                 } else {
-                    phi_882_ = 4u;
+                    phi_891_ = 4u;
                 }
-                let _e354 = phi_882_;
+                let _e354 = phi_891_;
                 let _e356 = ((_e348 | _e351) | _e354);
                 let _e357 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e105, 2147483648u);
                 local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e357.first[0], _e357.first[1], _e357.first[2], _e357.first[3], _e357.first[4], _e357.first[5], _e357.first[6], _e357.first[7], _e357.first[8], _e357.first[9], _e357.first[10], _e357.first[11], _e357.first[12], _e357.first[13], _e357.first[14], _e357.first[15], _e357.first[16], _e357.first[17], _e357.first[18], _e357.first[19], _e357.first[20], _e357.first[21], _e357.first[22], _e357.first[23], _e357.first[24], _e357.first[25], _e357.first[26], _e357.first[27], _e357.first[28], _e357.first[29], _e357.first[30], _e357.first[31]), array<u32, 32>(_e357.mask[0], _e357.mask[1], _e357.mask[2], _e357.mask[3], _e357.mask[4], _e357.mask[5], _e357.mask[6], _e357.mask[7], _e357.mask[8], _e357.mask[9], _e357.mask[10], _e357.mask[11], _e357.mask[12], _e357.mask[13], _e357.mask[14], _e357.mask[15], _e357.mask[16], _e357.mask[17], _e357.mask[18], _e357.mask[19], _e357.mask[20], _e357.mask[21], _e357.mask[22], _e357.mask[23], _e357.mask[24], _e357.mask[25], _e357.mask[26], _e357.mask[27], _e357.mask[28], _e357.mask[29], _e357.mask[30], _e357.mask[31]), _e357.len, _e357.group, _e357.group_mask);
@@ -918,7 +923,7 @@ fn function_() {
                 if ((_e431 & 4278190080u) == 0u) {
                     let _e435 = local_3.len;
                     if (_e435 == 0u) {
-                        phi_996_ = false;
+                        phi_1005_ = false;
                     } else {
                         let _e439 = local_3.len;
                         local_3.len = (_e439 - 1u);
@@ -936,14 +941,14 @@ fn function_() {
                         }
                         let _e455 = local_3.mask[(0u + _e450)];
                         local_3.group_mask = _e455;
-                        phi_996_ = true;
+                        phi_1005_ = true;
                     }
-                    let _e458 = phi_996_;
-                    phi_997_ = _e458;
+                    let _e458 = phi_1005_;
+                    phi_1006_ = _e458;
                 } else {
-                    phi_997_ = true;
+                    phi_1006_ = true;
                 }
-                let _e460 = phi_997_;
+                let _e460 = phi_1006_;
                 if _e460 {
                     let _e462 = local_3.group_mask;
                     let _e468 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e462)), 32u, (_e462 == 0u)));
@@ -951,16 +956,16 @@ fn function_() {
                     let _e486 = local_3.group_mask;
                     local_3.group_mask = (_e486 & ~((1u << bitcast<u32>((_e468 & 31u)))));
                     let _e489 = local_3.group;
-                    phi_1028_ = (_e489 + countOneBits(((_e472 & ~((4294967295u << bitcast<u32>((((_e468 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    phi_1037_ = (_e489 + countOneBits(((_e472 & ~((4294967295u << bitcast<u32>((((_e468 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1028_ = 4294967295u;
+                    phi_1037_ = 4294967295u;
                 }
-                let _e492 = phi_1028_;
-                phi_1030_ = _e492;
+                let _e492 = phi_1037_;
+                phi_1039_ = _e492;
                 loop {
-                    let _e494 = phi_1030_;
+                    let _e494 = phi_1039_;
                     if (_e494 != 4294967295u) {
-                        if (_e494 < _e71) {
+                        if (_e494 < _e72) {
                         } else {
                             return;
                         }
@@ -979,45 +984,45 @@ fn function_() {
                             let _e565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e565.unnamed.root, _e554.w), _e565.unnamed_1);
                             let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e571.unnamed, lt_bvh_traverse_Tree(_e554.x, _e571.unnamed_1.first_primitive));
-                            phi_1111_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e577.unnamed_1.root, _e554.y));
+                            phi_1120_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e577.unnamed_1.root, _e554.y));
                         } else {
                             let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.unnamed.root, _e554.y), _e593.unnamed_1);
                             let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_bvh_traverse_Tree(_e554.z, _e599.unnamed_1.first_primitive));
-                            phi_1111_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e554.w));
+                            phi_1120_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e554.w));
                         }
-                        let _e613 = phi_1111_;
+                        let _e613 = phi_1120_;
                         let _e623 = nodes.member[(0u + _e494)].y;
                         if (_e296 < 0f) {
                             let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e634.unnamed.root, _e623.w), _e634.unnamed_1);
                             let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_bvh_traverse_Tree(_e623.x, _e640.unnamed_1.first_primitive));
-                            phi_1138_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e646.unnamed_1.root, _e623.y));
+                            phi_1147_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e646.unnamed_1.root, _e623.y));
                         } else {
                             let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e623.y), _e662.unnamed_1);
                             let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e623.z, _e668.unnamed_1.first_primitive));
-                            phi_1138_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e623.w));
+                            phi_1147_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e623.w));
                         }
-                        let _e682 = phi_1138_;
+                        let _e682 = phi_1147_;
                         let _e692 = nodes.member[(0u + _e494)].z;
                         if (_e308 < 0f) {
                             let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e703.unnamed.root, _e692.w), _e703.unnamed_1);
                             let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_bvh_traverse_Tree(_e692.x, _e709.unnamed_1.first_primitive));
-                            phi_1165_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e715.unnamed_1.root, _e692.y));
+                            phi_1174_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e715.unnamed_1.root, _e692.y));
                         } else {
                             let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e692.y), _e731.unnamed_1);
                             let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e692.z, _e737.unnamed_1.first_primitive));
-                            phi_1165_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e692.w));
+                            phi_1174_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e692.w));
                         }
-                        let _e751 = phi_1165_;
-                        phi_1171_ = 0u;
-                        phi_1174_ = 0u;
+                        let _e751 = phi_1174_;
+                        phi_1180_ = 0u;
+                        phi_1183_ = 0u;
                         loop {
-                            let _e761 = phi_1171_;
-                            let _e763 = phi_1174_;
+                            let _e761 = phi_1180_;
+                            let _e763 = phi_1183_;
                             local_4 = _e763;
                             local_5 = _e763;
                             local_6 = _e763;
@@ -1026,43 +1031,43 @@ fn function_() {
                                 let _e766 = (_e761 >> bitcast<u32>(2i));
                                 let _e767 = (_e761 & 3u);
                                 if (_e766 == 0u) {
-                                    phi_1188_ = _e613.unnamed.root;
+                                    phi_1197_ = _e613.unnamed.root;
                                 } else {
-                                    phi_1188_ = _e613.unnamed.first_primitive;
+                                    phi_1197_ = _e613.unnamed.first_primitive;
                                 }
-                                let _e770 = phi_1188_;
+                                let _e770 = phi_1197_;
                                 if (_e766 == 0u) {
-                                    phi_1198_ = _e682.unnamed.root;
+                                    phi_1207_ = _e682.unnamed.root;
                                 } else {
-                                    phi_1198_ = _e682.unnamed.first_primitive;
+                                    phi_1207_ = _e682.unnamed.first_primitive;
                                 }
-                                let _e779 = phi_1198_;
+                                let _e779 = phi_1207_;
                                 if (_e766 == 0u) {
-                                    phi_1208_ = _e751.unnamed.root;
+                                    phi_1217_ = _e751.unnamed.root;
                                 } else {
-                                    phi_1208_ = _e751.unnamed.first_primitive;
+                                    phi_1217_ = _e751.unnamed.first_primitive;
                                 }
-                                let _e788 = phi_1208_;
+                                let _e788 = phi_1217_;
                                 let _e801 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e770 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 - _e336)), ((f32(((_e779 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e337)));
                                 let _e802 = core_intrinsics_maximum_number_nsz_f32_(_e801, ((f32(((_e788 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e338)));
                                 if (_e766 == 0u) {
-                                    phi_1226_ = _e613.unnamed_1.root;
+                                    phi_1235_ = _e613.unnamed_1.root;
                                 } else {
-                                    phi_1226_ = _e613.unnamed_1.first_primitive;
+                                    phi_1235_ = _e613.unnamed_1.first_primitive;
                                 }
-                                let _e805 = phi_1226_;
+                                let _e805 = phi_1235_;
                                 if (_e766 == 0u) {
-                                    phi_1236_ = _e682.unnamed_1.root;
+                                    phi_1245_ = _e682.unnamed_1.root;
                                 } else {
-                                    phi_1236_ = _e682.unnamed_1.first_primitive;
+                                    phi_1245_ = _e682.unnamed_1.first_primitive;
                                 }
-                                let _e814 = phi_1236_;
+                                let _e814 = phi_1245_;
                                 if (_e766 == 0u) {
-                                    phi_1246_ = _e751.unnamed_1.root;
+                                    phi_1255_ = _e751.unnamed_1.root;
                                 } else {
-                                    phi_1246_ = _e751.unnamed_1.first_primitive;
+                                    phi_1255_ = _e751.unnamed_1.first_primitive;
                                 }
-                                let _e823 = phi_1246_;
+                                let _e823 = phi_1255_;
                                 let _e836 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e805 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 + _e336)), ((f32(((_e814 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e337)));
                                 let _e837 = core_intrinsics_minimum_number_nsz_f32_(_e836, ((f32(((_e823 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e338)));
                                 if (_e802 <= _e837) {
@@ -1070,47 +1075,47 @@ fn function_() {
                                         if (_e837 >= 0f) {
                                             if (_e766 == 0u) {
                                                 let _e844 = nodes.member[(0u + _e494)].links[2u];
-                                                phi_1282_ = _e844;
+                                                phi_1291_ = _e844;
                                             } else {
                                                 let _e847 = nodes.member[(0u + _e494)].links[3u];
-                                                phi_1282_ = _e847;
+                                                phi_1291_ = _e847;
                                             }
-                                            let _e849 = phi_1282_;
+                                            let _e849 = phi_1291_;
                                             let _e854 = ((_e849 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u);
                                             let _e855 = (_e854 & 31u);
                                             if (_e855 >= 24u) {
-                                                phi_1295_ = (24u + ((_e855 - 24u) ^ _e356));
+                                                phi_1304_ = (24u + ((_e855 - 24u) ^ _e356));
                                             } else {
-                                                phi_1295_ = _e855;
+                                                phi_1304_ = _e855;
                                             }
-                                            let _e861 = phi_1295_;
-                                            phi_1300_ = (_e763 | ((_e854 >> bitcast<u32>(5i)) << bitcast<u32>((_e861 & 31u))));
+                                            let _e861 = phi_1304_;
+                                            phi_1309_ = (_e763 | ((_e854 >> bitcast<u32>(5i)) << bitcast<u32>((_e861 & 31u))));
                                         } else {
-                                            phi_1300_ = _e763;
+                                            phi_1309_ = _e763;
                                         }
-                                        let _e869 = phi_1300_;
-                                        phi_1301_ = _e869;
+                                        let _e869 = phi_1309_;
+                                        phi_1310_ = _e869;
                                     } else {
-                                        phi_1301_ = _e763;
+                                        phi_1310_ = _e763;
                                     }
-                                    let _e871 = phi_1301_;
-                                    phi_1302_ = _e871;
+                                    let _e871 = phi_1310_;
+                                    phi_1311_ = _e871;
                                 } else {
-                                    phi_1302_ = _e763;
+                                    phi_1311_ = _e763;
                                 }
-                                let _e873 = phi_1302_;
-                                phi_1172_ = (_e761 + 1u);
-                                phi_1175_ = _e873;
+                                let _e873 = phi_1311_;
+                                phi_1181_ = (_e761 + 1u);
+                                phi_1184_ = _e873;
                             } else {
-                                phi_1172_ = u32();
-                                phi_1175_ = u32();
+                                phi_1181_ = u32();
+                                phi_1184_ = u32();
                             }
-                            let _e876 = phi_1172_;
-                            let _e878 = phi_1175_;
+                            let _e876 = phi_1181_;
+                            let _e878 = phi_1184_;
                             continue;
                             continuing {
-                                phi_1171_ = _e876;
-                                phi_1174_ = _e878;
+                                phi_1180_ = _e876;
+                                phi_1183_ = _e878;
                                 break if !(_e764);
                             }
                         }
@@ -1147,15 +1152,15 @@ fn function_() {
                             local_3.group_mask = ((_e922 & 4278190080u) | (_e886 >> bitcast<u32>(24i)));
                         }
                         let _e927 = local_6;
-                        phi_1360_ = (_e927 & 16777215u);
+                        phi_1369_ = (_e927 & 16777215u);
                         loop {
-                            let _e930 = phi_1360_;
+                            let _e930 = phi_1369_;
                             let _e931 = (_e930 == 0u);
                             local_12 = _e931;
                             local_19 = _e931;
                             if _e931 {
-                                phi_1361_ = u32();
-                                phi_3098_ = false;
+                                phi_1370_ = u32();
+                                phi_3107_ = false;
                             } else {
                                 let _e934 = nodes.member[(0u + _e494)].links[1u];
                                 let _e938 = (_e934 + select(firstTrailingBit(_e930), 32u, (_e930 == 0u)));
@@ -1172,41 +1177,41 @@ fn function_() {
                                 let _e964 = ((_e947.y - _e128) * _e296);
                                 let _e965 = ((_e947.z - _e130) * _e308);
                                 if (_e954 < _e963) {
-                                    phi_1410_ = _e954;
+                                    phi_1419_ = _e954;
                                 } else {
-                                    phi_1410_ = _e963;
+                                    phi_1419_ = _e963;
                                 }
-                                let _e968 = phi_1410_;
+                                let _e968 = phi_1419_;
                                 if (_e955 < _e964) {
-                                    phi_1415_ = _e955;
+                                    phi_1424_ = _e955;
                                 } else {
-                                    phi_1415_ = _e964;
+                                    phi_1424_ = _e964;
                                 }
-                                let _e971 = phi_1415_;
+                                let _e971 = phi_1424_;
                                 if (_e956 < _e965) {
-                                    phi_1420_ = _e956;
+                                    phi_1429_ = _e956;
                                 } else {
-                                    phi_1420_ = _e965;
+                                    phi_1429_ = _e965;
                                 }
-                                let _e974 = phi_1420_;
+                                let _e974 = phi_1429_;
                                 if (_e954 > _e963) {
-                                    phi_1428_ = _e954;
+                                    phi_1437_ = _e954;
                                 } else {
-                                    phi_1428_ = _e963;
+                                    phi_1437_ = _e963;
                                 }
-                                let _e980 = phi_1428_;
+                                let _e980 = phi_1437_;
                                 if (_e955 > _e964) {
-                                    phi_1433_ = _e955;
+                                    phi_1442_ = _e955;
                                 } else {
-                                    phi_1433_ = _e964;
+                                    phi_1442_ = _e964;
                                 }
-                                let _e983 = phi_1433_;
+                                let _e983 = phi_1442_;
                                 if (_e956 > _e965) {
-                                    phi_1438_ = _e956;
+                                    phi_1447_ = _e956;
                                 } else {
-                                    phi_1438_ = _e965;
+                                    phi_1447_ = _e965;
                                 }
-                                let _e986 = phi_1438_;
+                                let _e986 = phi_1447_;
                                 let _e990 = core_intrinsics_maximum_number_nsz_f32_((_e968 - _e343), (_e971 - _e344));
                                 let _e991 = core_intrinsics_maximum_number_nsz_f32_(_e990, (_e974 - _e345));
                                 let _e992 = core_intrinsics_minimum_number_nsz_f32_((_e980 + _e343), (_e983 + _e344));
@@ -1238,108 +1243,108 @@ fn function_() {
                                                             if (_e1089 < 1000000000000000f) {
                                                                 if (_e1090 < 1000000000000000f) {
                                                                     if (_e1088 > 0f) {
-                                                                        phi_1586_ = bool();
-                                                                        phi_1587_ = true;
+                                                                        phi_1595_ = bool();
+                                                                        phi_1596_ = true;
                                                                     } else {
                                                                         let _e1098 = (_e1089 > 0f);
                                                                         if _e1098 {
-                                                                            phi_1585_ = bool();
+                                                                            phi_1594_ = bool();
                                                                         } else {
-                                                                            phi_1585_ = (_e1090 > 0f);
+                                                                            phi_1594_ = (_e1090 > 0f);
                                                                         }
-                                                                        let _e1101 = phi_1585_;
-                                                                        phi_1586_ = _e1101;
-                                                                        phi_1587_ = _e1098;
+                                                                        let _e1101 = phi_1594_;
+                                                                        phi_1595_ = _e1101;
+                                                                        phi_1596_ = _e1098;
                                                                     }
-                                                                    let _e1103 = phi_1586_;
-                                                                    let _e1105 = phi_1587_;
+                                                                    let _e1103 = phi_1595_;
+                                                                    let _e1105 = phi_1596_;
                                                                     if _e1105 {
-                                                                        phi_1591_ = true;
+                                                                        phi_1600_ = true;
                                                                     } else {
-                                                                        phi_1591_ = _e1103;
+                                                                        phi_1600_ = _e1103;
                                                                     }
-                                                                    let _e1107 = phi_1591_;
-                                                                    phi_1592_ = _e1107;
-                                                                    phi_1593_ = false;
+                                                                    let _e1107 = phi_1600_;
+                                                                    phi_1601_ = _e1107;
+                                                                    phi_1602_ = false;
                                                                 } else {
-                                                                    phi_1592_ = bool();
-                                                                    phi_1593_ = true;
+                                                                    phi_1601_ = bool();
+                                                                    phi_1602_ = true;
                                                                 }
-                                                                let _e1109 = phi_1592_;
-                                                                let _e1111 = phi_1593_;
-                                                                phi_1594_ = _e1109;
-                                                                phi_1595_ = false;
-                                                                phi_1596_ = _e1111;
+                                                                let _e1109 = phi_1601_;
+                                                                let _e1111 = phi_1602_;
+                                                                phi_1603_ = _e1109;
+                                                                phi_1604_ = false;
+                                                                phi_1605_ = _e1111;
                                                             } else {
-                                                                phi_1594_ = bool();
-                                                                phi_1595_ = true;
-                                                                phi_1596_ = false;
+                                                                phi_1603_ = bool();
+                                                                phi_1604_ = true;
+                                                                phi_1605_ = false;
                                                             }
-                                                            let _e1113 = phi_1594_;
-                                                            let _e1115 = phi_1595_;
-                                                            let _e1117 = phi_1596_;
-                                                            phi_1597_ = _e1113;
-                                                            phi_1598_ = _e1115;
-                                                            phi_1599_ = _e1117;
+                                                            let _e1113 = phi_1603_;
+                                                            let _e1115 = phi_1604_;
+                                                            let _e1117 = phi_1605_;
+                                                            phi_1606_ = _e1113;
+                                                            phi_1607_ = _e1115;
+                                                            phi_1608_ = _e1117;
                                                         } else {
-                                                            phi_1597_ = bool();
-                                                            phi_1598_ = true;
-                                                            phi_1599_ = false;
+                                                            phi_1606_ = bool();
+                                                            phi_1607_ = true;
+                                                            phi_1608_ = false;
                                                         }
-                                                        let _e1119 = phi_1597_;
-                                                        let _e1121 = phi_1598_;
-                                                        let _e1123 = phi_1599_;
-                                                        phi_1600_ = _e1119;
-                                                        phi_1601_ = _e1121;
-                                                        phi_1602_ = _e1123;
+                                                        let _e1119 = phi_1606_;
+                                                        let _e1121 = phi_1607_;
+                                                        let _e1123 = phi_1608_;
+                                                        phi_1609_ = _e1119;
+                                                        phi_1610_ = _e1121;
+                                                        phi_1611_ = _e1123;
                                                     } else {
-                                                        phi_1600_ = bool();
-                                                        phi_1601_ = true;
-                                                        phi_1602_ = false;
+                                                        phi_1609_ = bool();
+                                                        phi_1610_ = true;
+                                                        phi_1611_ = false;
                                                     }
-                                                    let _e1125 = phi_1600_;
-                                                    let _e1127 = phi_1601_;
-                                                    let _e1129 = phi_1602_;
-                                                    phi_1603_ = _e1125;
-                                                    phi_1604_ = _e1127;
-                                                    phi_1605_ = _e1129;
+                                                    let _e1125 = phi_1609_;
+                                                    let _e1127 = phi_1610_;
+                                                    let _e1129 = phi_1611_;
+                                                    phi_1612_ = _e1125;
+                                                    phi_1613_ = _e1127;
+                                                    phi_1614_ = _e1129;
                                                 } else {
-                                                    phi_1603_ = bool();
-                                                    phi_1604_ = true;
-                                                    phi_1605_ = false;
+                                                    phi_1612_ = bool();
+                                                    phi_1613_ = true;
+                                                    phi_1614_ = false;
                                                 }
-                                                let _e1131 = phi_1603_;
-                                                let _e1133 = phi_1604_;
-                                                let _e1135 = phi_1605_;
-                                                phi_1606_ = _e1131;
-                                                phi_1607_ = _e1133;
-                                                phi_1608_ = _e1135;
+                                                let _e1131 = phi_1612_;
+                                                let _e1133 = phi_1613_;
+                                                let _e1135 = phi_1614_;
+                                                phi_1615_ = _e1131;
+                                                phi_1616_ = _e1133;
+                                                phi_1617_ = _e1135;
                                             } else {
-                                                phi_1606_ = bool();
-                                                phi_1607_ = true;
-                                                phi_1608_ = false;
+                                                phi_1615_ = bool();
+                                                phi_1616_ = true;
+                                                phi_1617_ = false;
                                             }
-                                            let _e1137 = phi_1606_;
-                                            let _e1139 = phi_1607_;
-                                            let _e1141 = phi_1608_;
+                                            let _e1137 = phi_1615_;
+                                            let _e1139 = phi_1616_;
+                                            let _e1141 = phi_1617_;
                                             if _e1139 {
-                                                phi_1612_ = true;
+                                                phi_1621_ = true;
                                             } else {
-                                                phi_1612_ = _e1141;
+                                                phi_1621_ = _e1141;
                                             }
-                                            let _e1143 = phi_1612_;
+                                            let _e1143 = phi_1621_;
                                             if _e1143 {
-                                                phi_1616_ = false;
+                                                phi_1625_ = false;
                                             } else {
-                                                phi_1616_ = _e1137;
+                                                phi_1625_ = _e1137;
                                             }
-                                            let _e1145 = phi_1616_;
+                                            let _e1145 = phi_1625_;
                                             if _e1145 {
-                                                let _e1146 = (_e1082 >= _e71);
+                                                let _e1146 = (_e1082 >= _e72);
                                                 if _e1146 {
-                                                    phi_3081_ = bool();
+                                                    phi_3090_ = bool();
                                                 } else {
-                                                    if (_e1082 < _e71) {
+                                                    if (_e1082 < _e72) {
                                                     } else {
                                                         return;
                                                     }
@@ -1354,41 +1359,41 @@ fn function_() {
                                                     let _e1211 = core_intrinsics_maximum_number_nsz_f32_(_e1210, abs(_e1079));
                                                     let _e1212 = (_e1211 * 0.0000000000009094947f);
                                                     if (abs(_e1053) < _e1212) {
-                                                        phi_1686_ = _e1212;
+                                                        phi_1695_ = _e1212;
                                                     } else {
-                                                        phi_1686_ = abs(_e1053);
+                                                        phi_1695_ = abs(_e1053);
                                                     }
-                                                    let _e1217 = phi_1686_;
+                                                    let _e1217 = phi_1695_;
                                                     if (_e1053 < 0f) {
-                                                        phi_1693_ = (-1f / _e1217);
+                                                        phi_1702_ = (-1f / _e1217);
                                                     } else {
-                                                        phi_1693_ = (1f / _e1217);
+                                                        phi_1702_ = (1f / _e1217);
                                                     }
-                                                    let _e1222 = phi_1693_;
+                                                    let _e1222 = phi_1702_;
                                                     if (abs(_e1066) < _e1212) {
-                                                        phi_1700_ = _e1212;
+                                                        phi_1709_ = _e1212;
                                                     } else {
-                                                        phi_1700_ = abs(_e1066);
+                                                        phi_1709_ = abs(_e1066);
                                                     }
-                                                    let _e1227 = phi_1700_;
+                                                    let _e1227 = phi_1709_;
                                                     if (_e1066 < 0f) {
-                                                        phi_1707_ = (-1f / _e1227);
+                                                        phi_1716_ = (-1f / _e1227);
                                                     } else {
-                                                        phi_1707_ = (1f / _e1227);
+                                                        phi_1716_ = (1f / _e1227);
                                                     }
-                                                    let _e1232 = phi_1707_;
+                                                    let _e1232 = phi_1716_;
                                                     if (abs(_e1079) < _e1212) {
-                                                        phi_1714_ = _e1212;
+                                                        phi_1723_ = _e1212;
                                                     } else {
-                                                        phi_1714_ = abs(_e1079);
+                                                        phi_1723_ = abs(_e1079);
                                                     }
-                                                    let _e1237 = phi_1714_;
+                                                    let _e1237 = phi_1723_;
                                                     if (_e1079 < 0f) {
-                                                        phi_1721_ = (-1f / _e1237);
+                                                        phi_1730_ = (-1f / _e1237);
                                                     } else {
-                                                        phi_1721_ = (1f / _e1237);
+                                                        phi_1730_ = (1f / _e1237);
                                                     }
-                                                    let _e1242 = phi_1721_;
+                                                    let _e1242 = phi_1730_;
                                                     let _e1246 = abs((bitcast<f32>(_e1152) - _e1010));
                                                     let _e1247 = abs((bitcast<f32>(_e1156) - _e1023));
                                                     let _e1248 = abs((bitcast<f32>(_e1160) - _e1036));
@@ -1396,23 +1401,23 @@ fn function_() {
                                                     let _e1253 = abs(((bitcast<f32>(_e1168) + (bitcast<f32>((((_e1176 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1023));
                                                     let _e1254 = abs(((bitcast<f32>(_e1172) + (bitcast<f32>((((_e1176 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1036));
                                                     if (_e1246 > _e1252) {
-                                                        phi_1738_ = _e1246;
+                                                        phi_1747_ = _e1246;
                                                     } else {
-                                                        phi_1738_ = _e1252;
+                                                        phi_1747_ = _e1252;
                                                     }
-                                                    let _e1257 = phi_1738_;
+                                                    let _e1257 = phi_1747_;
                                                     if (_e1247 > _e1253) {
-                                                        phi_1743_ = _e1247;
+                                                        phi_1752_ = _e1247;
                                                     } else {
-                                                        phi_1743_ = _e1253;
+                                                        phi_1752_ = _e1253;
                                                     }
-                                                    let _e1260 = phi_1743_;
+                                                    let _e1260 = phi_1752_;
                                                     if (_e1248 > _e1254) {
-                                                        phi_1748_ = _e1248;
+                                                        phi_1757_ = _e1248;
                                                     } else {
-                                                        phi_1748_ = _e1254;
+                                                        phi_1757_ = _e1254;
                                                     }
-                                                    let _e1263 = phi_1748_;
+                                                    let _e1263 = phi_1757_;
                                                     let _e1264 = core_intrinsics_maximum_number_nsz_f32_(_e1257, _e1260);
                                                     let _e1265 = core_intrinsics_maximum_number_nsz_f32_(_e1264, _e1263);
                                                     let _e1269 = (_e1265 * 0.0000019073486f);
@@ -1428,61 +1433,61 @@ fn function_() {
                                                     let _e1282 = abs(_e1079);
                                                     if (_e1280 >= _e1281) {
                                                         if (_e1280 >= _e1282) {
-                                                            phi_1776_ = false;
+                                                            phi_1785_ = false;
                                                         } else {
-                                                            phi_1776_ = true;
+                                                            phi_1785_ = true;
                                                         }
-                                                        let _e1286 = phi_1776_;
-                                                        phi_1777_ = _e1286;
+                                                        let _e1286 = phi_1785_;
+                                                        phi_1786_ = _e1286;
                                                     } else {
-                                                        phi_1777_ = true;
+                                                        phi_1786_ = true;
                                                     }
-                                                    let _e1288 = phi_1777_;
+                                                    let _e1288 = phi_1786_;
                                                     if _e1288 {
                                                         if (_e1281 >= _e1282) {
-                                                            phi_1785_ = 1u;
+                                                            phi_1794_ = 1u;
                                                         } else {
-                                                            phi_1785_ = 2u;
+                                                            phi_1794_ = 2u;
                                                         }
-                                                        let _e1291 = phi_1785_;
-                                                        phi_1786_ = _e1291;
+                                                        let _e1291 = phi_1794_;
+                                                        phi_1795_ = _e1291;
                                                     } else {
-                                                        phi_1786_ = 0u;
+                                                        phi_1795_ = 0u;
                                                     }
-                                                    let _e1293 = phi_1786_;
+                                                    let _e1293 = phi_1795_;
                                                     if (_e1293 == 0u) {
-                                                        phi_1798_ = vec3<f32>(_e1066, _e1079, _e1053);
+                                                        phi_1807_ = vec3<f32>(_e1066, _e1079, _e1053);
                                                     } else {
                                                         if (_e1293 == 1u) {
-                                                            phi_1797_ = vec3<f32>(_e1079, _e1053, _e1066);
+                                                            phi_1806_ = vec3<f32>(_e1079, _e1053, _e1066);
                                                         } else {
-                                                            phi_1797_ = vec3<f32>(_e1053, _e1066, _e1079);
+                                                            phi_1806_ = vec3<f32>(_e1053, _e1066, _e1079);
                                                         }
-                                                        let _e1299 = phi_1797_;
-                                                        phi_1798_ = _e1299;
+                                                        let _e1299 = phi_1806_;
+                                                        phi_1807_ = _e1299;
                                                     }
-                                                    let _e1301 = phi_1798_;
+                                                    let _e1301 = phi_1807_;
                                                     let _e1304 = (_e1301.x / _e1301.z);
                                                     let _e1307 = (_e1301.y / _e1301.z);
                                                     let _e1309 = (1f / _e1301.z);
                                                     if (_e1222 < 0f) {
-                                                        phi_1811_ = 0u;
+                                                        phi_1820_ = 0u;
                                                     } else {
-                                                        phi_1811_ = 1u;
+                                                        phi_1820_ = 1u;
                                                     }
-                                                    let _e1312 = phi_1811_;
+                                                    let _e1312 = phi_1820_;
                                                     if (_e1232 < 0f) {
-                                                        phi_1816_ = 0u;
+                                                        phi_1825_ = 0u;
                                                     } else {
-                                                        phi_1816_ = 2u;
+                                                        phi_1825_ = 2u;
                                                     }
-                                                    let _e1315 = phi_1816_;
+                                                    let _e1315 = phi_1825_;
                                                     if (_e1242 < 0f) {
-                                                        phi_1821_ = 0u;
+                                                        phi_1830_ = 0u;
                                                     } else {
-                                                        phi_1821_ = 4u;
+                                                        phi_1830_ = 4u;
                                                     }
-                                                    let _e1318 = phi_1821_;
+                                                    let _e1318 = phi_1830_;
                                                     let _e1320 = ((_e1312 | _e1315) | _e1318);
                                                     let _e1321 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1082, 2147483648u);
                                                     local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1321.first[0], _e1321.first[1], _e1321.first[2], _e1321.first[3], _e1321.first[4], _e1321.first[5], _e1321.first[6], _e1321.first[7], _e1321.first[8], _e1321.first[9], _e1321.first[10], _e1321.first[11], _e1321.first[12], _e1321.first[13], _e1321.first[14], _e1321.first[15], _e1321.first[16], _e1321.first[17], _e1321.first[18], _e1321.first[19], _e1321.first[20], _e1321.first[21], _e1321.first[22], _e1321.first[23], _e1321.first[24], _e1321.first[25], _e1321.first[26], _e1321.first[27], _e1321.first[28], _e1321.first[29], _e1321.first[30], _e1321.first[31]), array<u32, 32>(_e1321.mask[0], _e1321.mask[1], _e1321.mask[2], _e1321.mask[3], _e1321.mask[4], _e1321.mask[5], _e1321.mask[6], _e1321.mask[7], _e1321.mask[8], _e1321.mask[9], _e1321.mask[10], _e1321.mask[11], _e1321.mask[12], _e1321.mask[13], _e1321.mask[14], _e1321.mask[15], _e1321.mask[16], _e1321.mask[17], _e1321.mask[18], _e1321.mask[19], _e1321.mask[20], _e1321.mask[21], _e1321.mask[22], _e1321.mask[23], _e1321.mask[24], _e1321.mask[25], _e1321.mask[26], _e1321.mask[27], _e1321.mask[28], _e1321.mask[29], _e1321.mask[30], _e1321.mask[31]), _e1321.len, _e1321.group, _e1321.group_mask);
@@ -1490,7 +1495,7 @@ fn function_() {
                                                     if ((_e1395 & 4278190080u) == 0u) {
                                                         let _e1399 = local_2.len;
                                                         if (_e1399 == 0u) {
-                                                            phi_1935_ = false;
+                                                            phi_1944_ = false;
                                                         } else {
                                                             let _e1403 = local_2.len;
                                                             local_2.len = (_e1403 - 1u);
@@ -1508,14 +1513,14 @@ fn function_() {
                                                             }
                                                             let _e1419 = local_2.mask[(0u + _e1414)];
                                                             local_2.group_mask = _e1419;
-                                                            phi_1935_ = true;
+                                                            phi_1944_ = true;
                                                         }
-                                                        let _e1422 = phi_1935_;
-                                                        phi_1936_ = _e1422;
+                                                        let _e1422 = phi_1944_;
+                                                        phi_1945_ = _e1422;
                                                     } else {
-                                                        phi_1936_ = true;
+                                                        phi_1945_ = true;
                                                     }
-                                                    let _e1424 = phi_1936_;
+                                                    let _e1424 = phi_1945_;
                                                     if _e1424 {
                                                         let _e1426 = local_2.group_mask;
                                                         let _e1432 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1426)), 32u, (_e1426 == 0u)));
@@ -1523,16 +1528,16 @@ fn function_() {
                                                         let _e1450 = local_2.group_mask;
                                                         local_2.group_mask = (_e1450 & ~((1u << bitcast<u32>((_e1432 & 31u)))));
                                                         let _e1453 = local_2.group;
-                                                        phi_1967_ = (_e1453 + countOneBits(((_e1436 & ~((4294967295u << bitcast<u32>((((_e1432 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                        phi_1976_ = (_e1453 + countOneBits(((_e1436 & ~((4294967295u << bitcast<u32>((((_e1432 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1967_ = 4294967295u;
+                                                        phi_1976_ = 4294967295u;
                                                     }
-                                                    let _e1456 = phi_1967_;
-                                                    phi_1969_ = _e1456;
+                                                    let _e1456 = phi_1976_;
+                                                    phi_1978_ = _e1456;
                                                     loop {
-                                                        let _e1458 = phi_1969_;
+                                                        let _e1458 = phi_1978_;
                                                         if (_e1458 != 4294967295u) {
-                                                            if (_e1458 < _e71) {
+                                                            if (_e1458 < _e72) {
                                                             } else {
                                                                 return;
                                                             }
@@ -1551,45 +1556,45 @@ fn function_() {
                                                                 let _e1529 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1518.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1529.unnamed.root, _e1518.w), _e1529.unnamed_1);
                                                                 let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1535.unnamed, lt_bvh_traverse_Tree(_e1518.x, _e1535.unnamed_1.first_primitive));
-                                                                phi_2050_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_bvh_traverse_Tree(_e1541.unnamed_1.root, _e1518.y));
+                                                                phi_2059_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_bvh_traverse_Tree(_e1541.unnamed_1.root, _e1518.y));
                                                             } else {
                                                                 let _e1557 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1518.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1563 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1557.unnamed.root, _e1518.y), _e1557.unnamed_1);
                                                                 let _e1569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1563.unnamed, lt_bvh_traverse_Tree(_e1518.z, _e1563.unnamed_1.first_primitive));
-                                                                phi_2050_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1569.unnamed, lt_bvh_traverse_Tree(_e1569.unnamed_1.root, _e1518.w));
+                                                                phi_2059_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1569.unnamed, lt_bvh_traverse_Tree(_e1569.unnamed_1.root, _e1518.w));
                                                             }
-                                                            let _e1577 = phi_2050_;
+                                                            let _e1577 = phi_2059_;
                                                             let _e1587 = nodes.member[(0u + _e1458)].y;
                                                             if (_e1232 < 0f) {
                                                                 let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1587.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1598.unnamed.root, _e1587.w), _e1598.unnamed_1);
                                                                 let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_bvh_traverse_Tree(_e1587.x, _e1604.unnamed_1.first_primitive));
-                                                                phi_2077_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_bvh_traverse_Tree(_e1610.unnamed_1.root, _e1587.y));
+                                                                phi_2086_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_bvh_traverse_Tree(_e1610.unnamed_1.root, _e1587.y));
                                                             } else {
                                                                 let _e1626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1587.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1626.unnamed.root, _e1587.y), _e1626.unnamed_1);
                                                                 let _e1638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1632.unnamed, lt_bvh_traverse_Tree(_e1587.z, _e1632.unnamed_1.first_primitive));
-                                                                phi_2077_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1638.unnamed, lt_bvh_traverse_Tree(_e1638.unnamed_1.root, _e1587.w));
+                                                                phi_2086_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1638.unnamed, lt_bvh_traverse_Tree(_e1638.unnamed_1.root, _e1587.w));
                                                             }
-                                                            let _e1646 = phi_2077_;
+                                                            let _e1646 = phi_2086_;
                                                             let _e1656 = nodes.member[(0u + _e1458)].z;
                                                             if (_e1242 < 0f) {
                                                                 let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1656.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1667.unnamed.root, _e1656.w), _e1667.unnamed_1);
                                                                 let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1656.x, _e1673.unnamed_1.first_primitive));
-                                                                phi_2104_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_bvh_traverse_Tree(_e1679.unnamed_1.root, _e1656.y));
+                                                                phi_2113_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_bvh_traverse_Tree(_e1679.unnamed_1.root, _e1656.y));
                                                             } else {
                                                                 let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1656.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1695.unnamed.root, _e1656.y), _e1695.unnamed_1);
                                                                 let _e1707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_bvh_traverse_Tree(_e1656.z, _e1701.unnamed_1.first_primitive));
-                                                                phi_2104_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1707.unnamed, lt_bvh_traverse_Tree(_e1707.unnamed_1.root, _e1656.w));
+                                                                phi_2113_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1707.unnamed, lt_bvh_traverse_Tree(_e1707.unnamed_1.root, _e1656.w));
                                                             }
-                                                            let _e1715 = phi_2104_;
-                                                            phi_2110_ = 0u;
-                                                            phi_2113_ = 0u;
+                                                            let _e1715 = phi_2113_;
+                                                            phi_2119_ = 0u;
+                                                            phi_2122_ = 0u;
                                                             loop {
-                                                                let _e1725 = phi_2110_;
-                                                                let _e1727 = phi_2113_;
+                                                                let _e1725 = phi_2119_;
+                                                                let _e1727 = phi_2122_;
                                                                 local_7 = _e1727;
                                                                 local_8 = _e1727;
                                                                 local_9 = _e1727;
@@ -1598,43 +1603,43 @@ fn function_() {
                                                                     let _e1730 = (_e1725 >> bitcast<u32>(2i));
                                                                     let _e1731 = (_e1725 & 3u);
                                                                     if (_e1730 == 0u) {
-                                                                        phi_2127_ = _e1577.unnamed.root;
+                                                                        phi_2136_ = _e1577.unnamed.root;
                                                                     } else {
-                                                                        phi_2127_ = _e1577.unnamed.first_primitive;
+                                                                        phi_2136_ = _e1577.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1734 = phi_2127_;
+                                                                    let _e1734 = phi_2136_;
                                                                     if (_e1730 == 0u) {
-                                                                        phi_2137_ = _e1646.unnamed.root;
+                                                                        phi_2146_ = _e1646.unnamed.root;
                                                                     } else {
-                                                                        phi_2137_ = _e1646.unnamed.first_primitive;
+                                                                        phi_2146_ = _e1646.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1743 = phi_2137_;
+                                                                    let _e1743 = phi_2146_;
                                                                     if (_e1730 == 0u) {
-                                                                        phi_2147_ = _e1715.unnamed.root;
+                                                                        phi_2156_ = _e1715.unnamed.root;
                                                                     } else {
-                                                                        phi_2147_ = _e1715.unnamed.first_primitive;
+                                                                        phi_2156_ = _e1715.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1752 = phi_2147_;
+                                                                    let _e1752 = phi_2156_;
                                                                     let _e1765 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1734 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 - _e1270)), ((f32(((_e1743 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1491) + (_e1509 - _e1271)));
                                                                     let _e1766 = core_intrinsics_maximum_number_nsz_f32_(_e1765, ((f32(((_e1752 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 - _e1272)));
                                                                     if (_e1730 == 0u) {
-                                                                        phi_2165_ = _e1577.unnamed_1.root;
+                                                                        phi_2174_ = _e1577.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2165_ = _e1577.unnamed_1.first_primitive;
+                                                                        phi_2174_ = _e1577.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1769 = phi_2165_;
+                                                                    let _e1769 = phi_2174_;
                                                                     if (_e1730 == 0u) {
-                                                                        phi_2175_ = _e1646.unnamed_1.root;
+                                                                        phi_2184_ = _e1646.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2175_ = _e1646.unnamed_1.first_primitive;
+                                                                        phi_2184_ = _e1646.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1778 = phi_2175_;
+                                                                    let _e1778 = phi_2184_;
                                                                     if (_e1730 == 0u) {
-                                                                        phi_2185_ = _e1715.unnamed_1.root;
+                                                                        phi_2194_ = _e1715.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2185_ = _e1715.unnamed_1.first_primitive;
+                                                                        phi_2194_ = _e1715.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1787 = phi_2185_;
+                                                                    let _e1787 = phi_2194_;
                                                                     let _e1800 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1769 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 + _e1270)), ((f32(((_e1778 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1491) + (_e1509 + _e1271)));
                                                                     let _e1801 = core_intrinsics_minimum_number_nsz_f32_(_e1800, ((f32(((_e1787 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 + _e1272)));
                                                                     if (_e1766 <= _e1801) {
@@ -1642,47 +1647,47 @@ fn function_() {
                                                                             if (_e1801 >= 0f) {
                                                                                 if (_e1730 == 0u) {
                                                                                     let _e1808 = nodes.member[(0u + _e1458)].links[2u];
-                                                                                    phi_2221_ = _e1808;
+                                                                                    phi_2230_ = _e1808;
                                                                                 } else {
                                                                                     let _e1811 = nodes.member[(0u + _e1458)].links[3u];
-                                                                                    phi_2221_ = _e1811;
+                                                                                    phi_2230_ = _e1811;
                                                                                 }
-                                                                                let _e1813 = phi_2221_;
+                                                                                let _e1813 = phi_2230_;
                                                                                 let _e1818 = ((_e1813 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u);
                                                                                 let _e1819 = (_e1818 & 31u);
                                                                                 if (_e1819 >= 24u) {
-                                                                                    phi_2234_ = (24u + ((_e1819 - 24u) ^ _e1320));
+                                                                                    phi_2243_ = (24u + ((_e1819 - 24u) ^ _e1320));
                                                                                 } else {
-                                                                                    phi_2234_ = _e1819;
+                                                                                    phi_2243_ = _e1819;
                                                                                 }
-                                                                                let _e1825 = phi_2234_;
-                                                                                phi_2239_ = (_e1727 | ((_e1818 >> bitcast<u32>(5i)) << bitcast<u32>((_e1825 & 31u))));
+                                                                                let _e1825 = phi_2243_;
+                                                                                phi_2248_ = (_e1727 | ((_e1818 >> bitcast<u32>(5i)) << bitcast<u32>((_e1825 & 31u))));
                                                                             } else {
-                                                                                phi_2239_ = _e1727;
+                                                                                phi_2248_ = _e1727;
                                                                             }
-                                                                            let _e1833 = phi_2239_;
-                                                                            phi_2240_ = _e1833;
+                                                                            let _e1833 = phi_2248_;
+                                                                            phi_2249_ = _e1833;
                                                                         } else {
-                                                                            phi_2240_ = _e1727;
+                                                                            phi_2249_ = _e1727;
                                                                         }
-                                                                        let _e1835 = phi_2240_;
-                                                                        phi_2241_ = _e1835;
+                                                                        let _e1835 = phi_2249_;
+                                                                        phi_2250_ = _e1835;
                                                                     } else {
-                                                                        phi_2241_ = _e1727;
+                                                                        phi_2250_ = _e1727;
                                                                     }
-                                                                    let _e1837 = phi_2241_;
-                                                                    phi_2111_ = (_e1725 + 1u);
-                                                                    phi_2114_ = _e1837;
+                                                                    let _e1837 = phi_2250_;
+                                                                    phi_2120_ = (_e1725 + 1u);
+                                                                    phi_2123_ = _e1837;
                                                                 } else {
-                                                                    phi_2111_ = u32();
-                                                                    phi_2114_ = u32();
+                                                                    phi_2120_ = u32();
+                                                                    phi_2123_ = u32();
                                                                 }
-                                                                let _e1840 = phi_2111_;
-                                                                let _e1842 = phi_2114_;
+                                                                let _e1840 = phi_2120_;
+                                                                let _e1842 = phi_2123_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2110_ = _e1840;
-                                                                    phi_2113_ = _e1842;
+                                                                    phi_2119_ = _e1840;
+                                                                    phi_2122_ = _e1842;
                                                                     break if !(_e1728);
                                                                 }
                                                             }
@@ -1719,21 +1724,21 @@ fn function_() {
                                                                 local_2.group_mask = ((_e1886 & 4278190080u) | (_e1850 >> bitcast<u32>(24i)));
                                                             }
                                                             let _e1891 = local_9;
-                                                            phi_2299_ = (_e1891 & 16777215u);
+                                                            phi_2308_ = (_e1891 & 16777215u);
                                                             loop {
-                                                                let _e1894 = phi_2299_;
+                                                                let _e1894 = phi_2308_;
                                                                 let _e1895 = (_e1894 == 0u);
                                                                 local_10 = _e1895;
                                                                 local_16 = _e1895;
                                                                 if _e1895 {
-                                                                    phi_2300_ = u32();
-                                                                    phi_2984_ = false;
-                                                                    phi_2985_ = false;
-                                                                    phi_2986_ = false;
+                                                                    phi_2309_ = u32();
+                                                                    phi_2993_ = false;
+                                                                    phi_2994_ = false;
+                                                                    phi_2995_ = false;
                                                                 } else {
                                                                     let _e1898 = nodes.member[(0u + _e1458)].links[1u];
                                                                     let _e1903 = ((_e1084 + _e1898) + select(firstTrailingBit(_e1894), 32u, (_e1894 == 0u)));
-                                                                    if (_e1903 < _e74) {
+                                                                    if (_e1903 < _e75) {
                                                                     } else {
                                                                         return;
                                                                     }
@@ -1742,17 +1747,17 @@ fn function_() {
                                                                     let _e1914 = (_e1910.y - _e1023);
                                                                     let _e1916 = (_e1910.z - _e1036);
                                                                     if (_e1293 == 0u) {
-                                                                        phi_2345_ = vec3<f32>(_e1914, _e1916, _e1912);
+                                                                        phi_2354_ = vec3<f32>(_e1914, _e1916, _e1912);
                                                                     } else {
                                                                         if (_e1293 == 1u) {
-                                                                            phi_2344_ = vec3<f32>(_e1916, _e1912, _e1914);
+                                                                            phi_2353_ = vec3<f32>(_e1916, _e1912, _e1914);
                                                                         } else {
-                                                                            phi_2344_ = (_e1910 - vec3<f32>(_e1010, _e1023, _e1036));
+                                                                            phi_2353_ = (_e1910 - vec3<f32>(_e1010, _e1023, _e1036));
                                                                         }
-                                                                        let _e1924 = phi_2344_;
-                                                                        phi_2345_ = _e1924;
+                                                                        let _e1924 = phi_2353_;
+                                                                        phi_2354_ = _e1924;
                                                                     }
-                                                                    let _e1926 = phi_2345_;
+                                                                    let _e1926 = phi_2354_;
                                                                     let _e1930 = (_e1926.x - (_e1304 * _e1926.z));
                                                                     let _e1934 = (_e1926.y - (_e1307 * _e1926.z));
                                                                     let _e1938 = triangles.member[(0u + _e1903)].v1_;
@@ -1760,17 +1765,17 @@ fn function_() {
                                                                     let _e1942 = (_e1938.y - _e1023);
                                                                     let _e1944 = (_e1938.z - _e1036);
                                                                     if (_e1293 == 0u) {
-                                                                        phi_2377_ = vec3<f32>(_e1942, _e1944, _e1940);
+                                                                        phi_2386_ = vec3<f32>(_e1942, _e1944, _e1940);
                                                                     } else {
                                                                         if (_e1293 == 1u) {
-                                                                            phi_2376_ = vec3<f32>(_e1944, _e1940, _e1942);
+                                                                            phi_2385_ = vec3<f32>(_e1944, _e1940, _e1942);
                                                                         } else {
-                                                                            phi_2376_ = (_e1938 - vec3<f32>(_e1010, _e1023, _e1036));
+                                                                            phi_2385_ = (_e1938 - vec3<f32>(_e1010, _e1023, _e1036));
                                                                         }
-                                                                        let _e1952 = phi_2376_;
-                                                                        phi_2377_ = _e1952;
+                                                                        let _e1952 = phi_2385_;
+                                                                        phi_2386_ = _e1952;
                                                                     }
-                                                                    let _e1954 = phi_2377_;
+                                                                    let _e1954 = phi_2386_;
                                                                     let _e1958 = (_e1954.x - (_e1304 * _e1954.z));
                                                                     let _e1962 = (_e1954.y - (_e1307 * _e1954.z));
                                                                     let _e1966 = triangles.member[(0u + _e1903)].v2_;
@@ -1778,274 +1783,274 @@ fn function_() {
                                                                     let _e1970 = (_e1966.y - _e1023);
                                                                     let _e1972 = (_e1966.z - _e1036);
                                                                     if (_e1293 == 0u) {
-                                                                        phi_2409_ = vec3<f32>(_e1970, _e1972, _e1968);
+                                                                        phi_2418_ = vec3<f32>(_e1970, _e1972, _e1968);
                                                                     } else {
                                                                         if (_e1293 == 1u) {
-                                                                            phi_2408_ = vec3<f32>(_e1972, _e1968, _e1970);
+                                                                            phi_2417_ = vec3<f32>(_e1972, _e1968, _e1970);
                                                                         } else {
-                                                                            phi_2408_ = (_e1966 - vec3<f32>(_e1010, _e1023, _e1036));
+                                                                            phi_2417_ = (_e1966 - vec3<f32>(_e1010, _e1023, _e1036));
                                                                         }
-                                                                        let _e1980 = phi_2408_;
-                                                                        phi_2409_ = _e1980;
+                                                                        let _e1980 = phi_2417_;
+                                                                        phi_2418_ = _e1980;
                                                                     }
-                                                                    let _e1982 = phi_2409_;
+                                                                    let _e1982 = phi_2418_;
                                                                     let _e1986 = (_e1982.x - (_e1304 * _e1982.z));
                                                                     let _e1990 = (_e1982.y - (_e1307 * _e1982.z));
                                                                     if (_e1958 < _e1986) {
-                                                                        phi_2430_ = true;
+                                                                        phi_2439_ = true;
                                                                     } else {
                                                                         if (_e1958 == _e1986) {
-                                                                            phi_2429_ = (_e1962 < _e1990);
+                                                                            phi_2438_ = (_e1962 < _e1990);
                                                                         } else {
-                                                                            phi_2429_ = false;
+                                                                            phi_2438_ = false;
                                                                         }
-                                                                        let _e1997 = phi_2429_;
-                                                                        phi_2430_ = _e1997;
+                                                                        let _e1997 = phi_2438_;
+                                                                        phi_2439_ = _e1997;
                                                                     }
-                                                                    let _e1999 = phi_2430_;
+                                                                    let _e1999 = phi_2439_;
                                                                     if _e1999 {
-                                                                        phi_2434_ = _e1990;
-                                                                        phi_2435_ = _e1986;
-                                                                        phi_2436_ = _e1962;
-                                                                        phi_2437_ = _e1958;
+                                                                        phi_2443_ = _e1990;
+                                                                        phi_2444_ = _e1986;
+                                                                        phi_2445_ = _e1962;
+                                                                        phi_2446_ = _e1958;
                                                                     } else {
-                                                                        phi_2434_ = _e1962;
-                                                                        phi_2435_ = _e1958;
-                                                                        phi_2436_ = _e1990;
-                                                                        phi_2437_ = _e1986;
+                                                                        phi_2443_ = _e1962;
+                                                                        phi_2444_ = _e1958;
+                                                                        phi_2445_ = _e1990;
+                                                                        phi_2446_ = _e1986;
                                                                     }
-                                                                    let _e2001 = phi_2434_;
-                                                                    let _e2003 = phi_2435_;
-                                                                    let _e2005 = phi_2436_;
-                                                                    let _e2007 = phi_2437_;
+                                                                    let _e2001 = phi_2443_;
+                                                                    let _e2003 = phi_2444_;
+                                                                    let _e2005 = phi_2445_;
+                                                                    let _e2007 = phi_2446_;
                                                                     let _e2010 = ((_e2007 * _e2001) - (_e2005 * _e2003));
                                                                     if _e1999 {
-                                                                        phi_2445_ = -(_e2010);
+                                                                        phi_2454_ = -(_e2010);
                                                                     } else {
-                                                                        phi_2445_ = _e2010;
+                                                                        phi_2454_ = _e2010;
                                                                     }
-                                                                    let _e2013 = phi_2445_;
+                                                                    let _e2013 = phi_2454_;
                                                                     if (_e1986 < _e1930) {
-                                                                        phi_2456_ = true;
+                                                                        phi_2465_ = true;
                                                                     } else {
                                                                         if (_e1986 == _e1930) {
-                                                                            phi_2455_ = (_e1990 < _e1934);
+                                                                            phi_2464_ = (_e1990 < _e1934);
                                                                         } else {
-                                                                            phi_2455_ = false;
+                                                                            phi_2464_ = false;
                                                                         }
-                                                                        let _e2018 = phi_2455_;
-                                                                        phi_2456_ = _e2018;
+                                                                        let _e2018 = phi_2464_;
+                                                                        phi_2465_ = _e2018;
                                                                     }
-                                                                    let _e2020 = phi_2456_;
+                                                                    let _e2020 = phi_2465_;
                                                                     if _e2020 {
-                                                                        phi_2460_ = _e1934;
-                                                                        phi_2461_ = _e1930;
-                                                                        phi_2462_ = _e1990;
-                                                                        phi_2463_ = _e1986;
+                                                                        phi_2469_ = _e1934;
+                                                                        phi_2470_ = _e1930;
+                                                                        phi_2471_ = _e1990;
+                                                                        phi_2472_ = _e1986;
                                                                     } else {
-                                                                        phi_2460_ = _e1990;
-                                                                        phi_2461_ = _e1986;
-                                                                        phi_2462_ = _e1934;
-                                                                        phi_2463_ = _e1930;
+                                                                        phi_2469_ = _e1990;
+                                                                        phi_2470_ = _e1986;
+                                                                        phi_2471_ = _e1934;
+                                                                        phi_2472_ = _e1930;
                                                                     }
-                                                                    let _e2022 = phi_2460_;
-                                                                    let _e2024 = phi_2461_;
-                                                                    let _e2026 = phi_2462_;
-                                                                    let _e2028 = phi_2463_;
+                                                                    let _e2022 = phi_2469_;
+                                                                    let _e2024 = phi_2470_;
+                                                                    let _e2026 = phi_2471_;
+                                                                    let _e2028 = phi_2472_;
                                                                     let _e2031 = ((_e2028 * _e2022) - (_e2026 * _e2024));
                                                                     if _e2020 {
-                                                                        phi_2471_ = -(_e2031);
+                                                                        phi_2480_ = -(_e2031);
                                                                     } else {
-                                                                        phi_2471_ = _e2031;
+                                                                        phi_2480_ = _e2031;
                                                                     }
-                                                                    let _e2034 = phi_2471_;
+                                                                    let _e2034 = phi_2480_;
                                                                     if (_e1930 < _e1958) {
-                                                                        phi_2482_ = true;
+                                                                        phi_2491_ = true;
                                                                     } else {
                                                                         if (_e1930 == _e1958) {
-                                                                            phi_2481_ = (_e1934 < _e1962);
+                                                                            phi_2490_ = (_e1934 < _e1962);
                                                                         } else {
-                                                                            phi_2481_ = false;
+                                                                            phi_2490_ = false;
                                                                         }
-                                                                        let _e2039 = phi_2481_;
-                                                                        phi_2482_ = _e2039;
+                                                                        let _e2039 = phi_2490_;
+                                                                        phi_2491_ = _e2039;
                                                                     }
-                                                                    let _e2041 = phi_2482_;
+                                                                    let _e2041 = phi_2491_;
                                                                     if _e2041 {
-                                                                        phi_2486_ = _e1962;
-                                                                        phi_2487_ = _e1958;
-                                                                        phi_2488_ = _e1934;
-                                                                        phi_2489_ = _e1930;
+                                                                        phi_2495_ = _e1962;
+                                                                        phi_2496_ = _e1958;
+                                                                        phi_2497_ = _e1934;
+                                                                        phi_2498_ = _e1930;
                                                                     } else {
-                                                                        phi_2486_ = _e1934;
-                                                                        phi_2487_ = _e1930;
-                                                                        phi_2488_ = _e1962;
-                                                                        phi_2489_ = _e1958;
+                                                                        phi_2495_ = _e1934;
+                                                                        phi_2496_ = _e1930;
+                                                                        phi_2497_ = _e1962;
+                                                                        phi_2498_ = _e1958;
                                                                     }
-                                                                    let _e2043 = phi_2486_;
-                                                                    let _e2045 = phi_2487_;
-                                                                    let _e2047 = phi_2488_;
-                                                                    let _e2049 = phi_2489_;
+                                                                    let _e2043 = phi_2495_;
+                                                                    let _e2045 = phi_2496_;
+                                                                    let _e2047 = phi_2497_;
+                                                                    let _e2049 = phi_2498_;
                                                                     let _e2052 = ((_e2049 * _e2043) - (_e2047 * _e2045));
                                                                     if _e2041 {
-                                                                        phi_2497_ = -(_e2052);
+                                                                        phi_2506_ = -(_e2052);
                                                                     } else {
-                                                                        phi_2497_ = _e2052;
+                                                                        phi_2506_ = _e2052;
                                                                     }
-                                                                    let _e2055 = phi_2497_;
+                                                                    let _e2055 = phi_2506_;
                                                                     if (_e2013 >= 0f) {
                                                                         if (_e2034 >= 0f) {
                                                                             if (_e2055 >= 0f) {
-                                                                                phi_2512_ = ((_e2013 + _e2034) + _e2055);
-                                                                                phi_2513_ = false;
+                                                                                phi_2521_ = ((_e2013 + _e2034) + _e2055);
+                                                                                phi_2522_ = false;
                                                                             } else {
-                                                                                phi_2512_ = f32();
-                                                                                phi_2513_ = true;
+                                                                                phi_2521_ = f32();
+                                                                                phi_2522_ = true;
                                                                             }
-                                                                            let _e2062 = phi_2512_;
-                                                                            let _e2064 = phi_2513_;
-                                                                            phi_2514_ = _e2062;
-                                                                            phi_2515_ = _e2064;
+                                                                            let _e2062 = phi_2521_;
+                                                                            let _e2064 = phi_2522_;
+                                                                            phi_2523_ = _e2062;
+                                                                            phi_2524_ = _e2064;
                                                                         } else {
-                                                                            phi_2514_ = f32();
-                                                                            phi_2515_ = true;
+                                                                            phi_2523_ = f32();
+                                                                            phi_2524_ = true;
                                                                         }
-                                                                        let _e2066 = phi_2514_;
-                                                                        let _e2068 = phi_2515_;
-                                                                        phi_2516_ = _e2066;
-                                                                        phi_2517_ = _e2068;
+                                                                        let _e2066 = phi_2523_;
+                                                                        let _e2068 = phi_2524_;
+                                                                        phi_2525_ = _e2066;
+                                                                        phi_2526_ = _e2068;
                                                                     } else {
-                                                                        phi_2516_ = f32();
-                                                                        phi_2517_ = true;
+                                                                        phi_2525_ = f32();
+                                                                        phi_2526_ = true;
                                                                     }
-                                                                    let _e2070 = phi_2516_;
-                                                                    let _e2072 = phi_2517_;
+                                                                    let _e2070 = phi_2525_;
+                                                                    let _e2072 = phi_2526_;
                                                                     if _e2072 {
                                                                         if (_e2013 <= 0f) {
                                                                             if (_e2034 <= 0f) {
                                                                                 let _e2075 = (_e2055 <= 0f);
                                                                                 if _e2075 {
                                                                                 }
-                                                                                phi_2535_ = ((_e2013 + _e2034) + _e2055);
-                                                                                phi_2536_ = false;
-                                                                                phi_2537_ = _e2075;
+                                                                                phi_2544_ = ((_e2013 + _e2034) + _e2055);
+                                                                                phi_2545_ = false;
+                                                                                phi_2546_ = _e2075;
                                                                             } else {
-                                                                                phi_2535_ = f32();
-                                                                                phi_2536_ = true;
-                                                                                phi_2537_ = false;
+                                                                                phi_2544_ = f32();
+                                                                                phi_2545_ = true;
+                                                                                phi_2546_ = false;
                                                                             }
-                                                                            let _e2079 = phi_2535_;
-                                                                            let _e2081 = phi_2536_;
-                                                                            let _e2083 = phi_2537_;
-                                                                            phi_2538_ = _e2079;
-                                                                            phi_2539_ = _e2081;
-                                                                            phi_2540_ = _e2083;
+                                                                            let _e2079 = phi_2544_;
+                                                                            let _e2081 = phi_2545_;
+                                                                            let _e2083 = phi_2546_;
+                                                                            phi_2547_ = _e2079;
+                                                                            phi_2548_ = _e2081;
+                                                                            phi_2549_ = _e2083;
                                                                         } else {
-                                                                            phi_2538_ = f32();
-                                                                            phi_2539_ = true;
-                                                                            phi_2540_ = false;
+                                                                            phi_2547_ = f32();
+                                                                            phi_2548_ = true;
+                                                                            phi_2549_ = false;
                                                                         }
-                                                                        let _e2085 = phi_2538_;
-                                                                        let _e2087 = phi_2539_;
-                                                                        let _e2089 = phi_2540_;
+                                                                        let _e2085 = phi_2547_;
+                                                                        let _e2087 = phi_2548_;
+                                                                        let _e2089 = phi_2549_;
                                                                         if _e2087 {
-                                                                            phi_2544_ = false;
+                                                                            phi_2553_ = false;
                                                                         } else {
-                                                                            phi_2544_ = _e2089;
+                                                                            phi_2553_ = _e2089;
                                                                         }
-                                                                        let _e2091 = phi_2544_;
-                                                                        phi_2545_ = _e2085;
-                                                                        phi_2546_ = _e2091;
+                                                                        let _e2091 = phi_2553_;
+                                                                        phi_2554_ = _e2085;
+                                                                        phi_2555_ = _e2091;
                                                                     } else {
-                                                                        phi_2545_ = _e2070;
-                                                                        phi_2546_ = true;
+                                                                        phi_2554_ = _e2070;
+                                                                        phi_2555_ = true;
                                                                     }
-                                                                    let _e2093 = phi_2545_;
-                                                                    let _e2095 = phi_2546_;
+                                                                    let _e2093 = phi_2554_;
+                                                                    let _e2095 = phi_2555_;
                                                                     if _e2095 {
                                                                         let _e2096 = (_e2093 == 0f);
                                                                         if _e2096 {
-                                                                            phi_2744_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2753_ = lt_bvh_triangle_Intersection();
                                                                         } else {
                                                                             let _e2102 = ((((_e2013 * (_e1309 * _e1926.z)) + (_e2034 * (_e1309 * _e1954.z))) + (_e2055 * (_e1309 * _e1982.z))) / _e2093);
                                                                             let _e2104 = triangles.member[(0u + _e1903)].v0_;
                                                                             let _e2106 = triangles.member[(0u + _e1903)].v1_;
                                                                             if (_e2104.x < _e2106.x) {
-                                                                                phi_2572_ = _e2104.x;
+                                                                                phi_2581_ = _e2104.x;
                                                                             } else {
-                                                                                phi_2572_ = _e2106.x;
+                                                                                phi_2581_ = _e2106.x;
                                                                             }
-                                                                            let _e2113 = phi_2572_;
+                                                                            let _e2113 = phi_2581_;
                                                                             if (_e2104.y < _e2106.y) {
-                                                                                phi_2581_ = _e2104.y;
+                                                                                phi_2590_ = _e2104.y;
                                                                             } else {
-                                                                                phi_2581_ = _e2106.y;
+                                                                                phi_2590_ = _e2106.y;
                                                                             }
-                                                                            let _e2120 = phi_2581_;
+                                                                            let _e2120 = phi_2590_;
                                                                             if (_e2104.z < _e2106.z) {
-                                                                                phi_2590_ = _e2104.z;
+                                                                                phi_2599_ = _e2104.z;
                                                                             } else {
-                                                                                phi_2590_ = _e2106.z;
+                                                                                phi_2599_ = _e2106.z;
                                                                             }
-                                                                            let _e2127 = phi_2590_;
+                                                                            let _e2127 = phi_2599_;
                                                                             let _e2129 = triangles.member[(0u + _e1903)].v2_;
                                                                             if (_e2113 < _e2129.x) {
-                                                                                phi_2599_ = _e2113;
+                                                                                phi_2608_ = _e2113;
                                                                             } else {
-                                                                                phi_2599_ = _e2129.x;
+                                                                                phi_2608_ = _e2129.x;
                                                                             }
-                                                                            let _e2134 = phi_2599_;
+                                                                            let _e2134 = phi_2608_;
                                                                             if (_e2120 < _e2129.y) {
-                                                                                phi_2606_ = _e2120;
+                                                                                phi_2615_ = _e2120;
                                                                             } else {
-                                                                                phi_2606_ = _e2129.y;
+                                                                                phi_2615_ = _e2129.y;
                                                                             }
-                                                                            let _e2139 = phi_2606_;
+                                                                            let _e2139 = phi_2615_;
                                                                             if (_e2127 < _e2129.z) {
-                                                                                phi_2613_ = _e2127;
+                                                                                phi_2622_ = _e2127;
                                                                             } else {
-                                                                                phi_2613_ = _e2129.z;
+                                                                                phi_2622_ = _e2129.z;
                                                                             }
-                                                                            let _e2144 = phi_2613_;
+                                                                            let _e2144 = phi_2622_;
                                                                             let _e2146 = triangles.member[(0u + _e1903)].v0_;
                                                                             let _e2148 = triangles.member[(0u + _e1903)].v1_;
                                                                             if (_e2146.x > _e2148.x) {
-                                                                                phi_2626_ = _e2146.x;
+                                                                                phi_2635_ = _e2146.x;
                                                                             } else {
-                                                                                phi_2626_ = _e2148.x;
+                                                                                phi_2635_ = _e2148.x;
                                                                             }
-                                                                            let _e2155 = phi_2626_;
+                                                                            let _e2155 = phi_2635_;
                                                                             if (_e2146.y > _e2148.y) {
-                                                                                phi_2635_ = _e2146.y;
+                                                                                phi_2644_ = _e2146.y;
                                                                             } else {
-                                                                                phi_2635_ = _e2148.y;
+                                                                                phi_2644_ = _e2148.y;
                                                                             }
-                                                                            let _e2162 = phi_2635_;
+                                                                            let _e2162 = phi_2644_;
                                                                             if (_e2146.z > _e2148.z) {
-                                                                                phi_2644_ = _e2146.z;
+                                                                                phi_2653_ = _e2146.z;
                                                                             } else {
-                                                                                phi_2644_ = _e2148.z;
+                                                                                phi_2653_ = _e2148.z;
                                                                             }
-                                                                            let _e2169 = phi_2644_;
+                                                                            let _e2169 = phi_2653_;
                                                                             let _e2171 = triangles.member[(0u + _e1903)].v2_;
                                                                             if (_e2155 > _e2171.x) {
-                                                                                phi_2653_ = _e2155;
+                                                                                phi_2662_ = _e2155;
                                                                             } else {
-                                                                                phi_2653_ = _e2171.x;
+                                                                                phi_2662_ = _e2171.x;
                                                                             }
-                                                                            let _e2176 = phi_2653_;
+                                                                            let _e2176 = phi_2662_;
                                                                             if (_e2162 > _e2171.y) {
-                                                                                phi_2660_ = _e2162;
+                                                                                phi_2669_ = _e2162;
                                                                             } else {
-                                                                                phi_2660_ = _e2171.y;
+                                                                                phi_2669_ = _e2171.y;
                                                                             }
-                                                                            let _e2181 = phi_2660_;
+                                                                            let _e2181 = phi_2669_;
                                                                             if (_e2169 > _e2171.z) {
-                                                                                phi_2667_ = _e2169;
+                                                                                phi_2676_ = _e2169;
                                                                             } else {
-                                                                                phi_2667_ = _e2171.z;
+                                                                                phi_2676_ = _e2171.z;
                                                                             }
-                                                                            let _e2186 = phi_2667_;
+                                                                            let _e2186 = phi_2676_;
                                                                             let _e2190 = ((_e2134 - _e1010) * _e1222);
                                                                             let _e2191 = ((_e2139 - _e1023) * _e1232);
                                                                             let _e2192 = ((_e2144 - _e1036) * _e1242);
@@ -2053,96 +2058,96 @@ fn function_() {
                                                                             let _e2197 = ((_e2181 - _e1023) * _e1232);
                                                                             let _e2198 = ((_e2186 - _e1036) * _e1242);
                                                                             if (_e2190 < _e2196) {
-                                                                                phi_2684_ = _e2190;
+                                                                                phi_2693_ = _e2190;
                                                                             } else {
-                                                                                phi_2684_ = _e2196;
+                                                                                phi_2693_ = _e2196;
                                                                             }
-                                                                            let _e2201 = phi_2684_;
+                                                                            let _e2201 = phi_2693_;
                                                                             if (_e2191 < _e2197) {
-                                                                                phi_2689_ = _e2191;
+                                                                                phi_2698_ = _e2191;
                                                                             } else {
-                                                                                phi_2689_ = _e2197;
+                                                                                phi_2698_ = _e2197;
                                                                             }
-                                                                            let _e2204 = phi_2689_;
+                                                                            let _e2204 = phi_2698_;
                                                                             if (_e2192 < _e2198) {
-                                                                                phi_2694_ = _e2192;
+                                                                                phi_2703_ = _e2192;
                                                                             } else {
-                                                                                phi_2694_ = _e2198;
+                                                                                phi_2703_ = _e2198;
                                                                             }
-                                                                            let _e2207 = phi_2694_;
+                                                                            let _e2207 = phi_2703_;
                                                                             if (_e2190 > _e2196) {
-                                                                                phi_2702_ = _e2190;
+                                                                                phi_2711_ = _e2190;
                                                                             } else {
-                                                                                phi_2702_ = _e2196;
+                                                                                phi_2711_ = _e2196;
                                                                             }
-                                                                            let _e2213 = phi_2702_;
+                                                                            let _e2213 = phi_2711_;
                                                                             if (_e2191 > _e2197) {
-                                                                                phi_2707_ = _e2191;
+                                                                                phi_2716_ = _e2191;
                                                                             } else {
-                                                                                phi_2707_ = _e2197;
+                                                                                phi_2716_ = _e2197;
                                                                             }
-                                                                            let _e2216 = phi_2707_;
+                                                                            let _e2216 = phi_2716_;
                                                                             if (_e2192 > _e2198) {
-                                                                                phi_2712_ = _e2192;
+                                                                                phi_2721_ = _e2192;
                                                                             } else {
-                                                                                phi_2712_ = _e2198;
+                                                                                phi_2721_ = _e2198;
                                                                             }
-                                                                            let _e2219 = phi_2712_;
+                                                                            let _e2219 = phi_2721_;
                                                                             let _e2223 = core_intrinsics_maximum_number_nsz_f32_((_e2201 - _e1277), (_e2204 - _e1278));
                                                                             let _e2224 = core_intrinsics_maximum_number_nsz_f32_(_e2223, (_e2207 - _e1279));
                                                                             let _e2225 = core_intrinsics_minimum_number_nsz_f32_((_e2213 + _e1277), (_e2216 + _e1278));
                                                                             let _e2226 = core_intrinsics_minimum_number_nsz_f32_(_e2225, (_e2219 + _e1279));
                                                                             if (_e2224 > _e991) {
-                                                                                phi_2724_ = _e2224;
+                                                                                phi_2733_ = _e2224;
                                                                             } else {
-                                                                                phi_2724_ = _e991;
+                                                                                phi_2733_ = _e991;
                                                                             }
-                                                                            let _e2229 = phi_2724_;
+                                                                            let _e2229 = phi_2733_;
                                                                             if (_e2226 < _e993) {
-                                                                                phi_2729_ = _e2226;
+                                                                                phi_2738_ = _e2226;
                                                                             } else {
-                                                                                phi_2729_ = _e993;
+                                                                                phi_2738_ = _e993;
                                                                             }
-                                                                            let _e2232 = phi_2729_;
+                                                                            let _e2232 = phi_2738_;
                                                                             if (_e2102 < _e2229) {
-                                                                                phi_2734_ = _e2229;
+                                                                                phi_2743_ = _e2229;
                                                                             } else {
-                                                                                phi_2734_ = _e2102;
+                                                                                phi_2743_ = _e2102;
                                                                             }
-                                                                            let _e2235 = phi_2734_;
+                                                                            let _e2235 = phi_2743_;
                                                                             if (_e2235 > _e2232) {
-                                                                                phi_2739_ = _e2232;
+                                                                                phi_2748_ = _e2232;
                                                                             } else {
-                                                                                phi_2739_ = _e2235;
+                                                                                phi_2748_ = _e2235;
                                                                             }
-                                                                            let _e2238 = phi_2739_;
-                                                                            phi_2744_ = lt_bvh_triangle_Intersection(_e2238, (_e2034 / _e2093), (_e2055 / _e2093), (_e2229 <= _e2232));
+                                                                            let _e2238 = phi_2748_;
+                                                                            phi_2753_ = lt_bvh_triangle_Intersection(_e2238, (_e2034 / _e2093), (_e2055 / _e2093), (_e2229 <= _e2232));
                                                                         }
-                                                                        let _e2244 = phi_2744_;
-                                                                        phi_2745_ = _e2244;
-                                                                        phi_2746_ = _e2096;
+                                                                        let _e2244 = phi_2753_;
+                                                                        phi_2754_ = _e2244;
+                                                                        phi_2755_ = _e2096;
                                                                     } else {
-                                                                        phi_2745_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2746_ = true;
+                                                                        phi_2754_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2755_ = true;
                                                                     }
-                                                                    let _e2246 = phi_2745_;
-                                                                    let _e2248 = phi_2746_;
+                                                                    let _e2246 = phi_2754_;
+                                                                    let _e2248 = phi_2755_;
                                                                     if _e2248 {
-                                                                        phi_2750_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        phi_2759_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2750_ = _e2246;
+                                                                        phi_2759_ = _e2246;
                                                                     }
-                                                                    let _e2250 = phi_2750_;
+                                                                    let _e2250 = phi_2759_;
                                                                     if _e2250.is_hit {
                                                                         if (_e2250.t > 0f) {
                                                                             if (_e2250.t < _e136) {
                                                                                 let _e2257 = triangles.member[(0u + _e1903)].i0_;
                                                                                 let _e2259 = ((_e2257 & 2147483648u) == 0u);
                                                                                 if _e2259 {
-                                                                                    phi_2968_ = false;
-                                                                                    phi_2969_ = false;
+                                                                                    phi_2977_ = false;
+                                                                                    phi_2978_ = false;
                                                                                 } else {
-                                                                                    if (_e1903 < _e74) {
+                                                                                    if (_e1903 < _e75) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
@@ -2150,17 +2155,17 @@ fn function_() {
                                                                                     let _e2267 = (_e2266 & 2147483647u);
                                                                                     let _e2269 = triangles.member[(0u + _e1903)].i1_;
                                                                                     let _e2271 = triangles.member[(0u + _e1903)].i2_;
-                                                                                    if (_e2267 < _e86) {
+                                                                                    if (_e2267 < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
                                                                                     let _e2275 = vertices.member[(0u + _e2267)];
-                                                                                    if (_e2269 < _e86) {
+                                                                                    if (_e2269 < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
                                                                                     let _e2279 = vertices.member[(0u + _e2269)];
-                                                                                    if (_e2271 < _e86) {
+                                                                                    if (_e2271 < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
@@ -2176,12 +2181,12 @@ fn function_() {
                                                                                     if ((_e2313.flags & 1u) == 1u) {
                                                                                         let _e2317 = lt_shaders_surface_barycentric_weights(_e2250.u, _e2250.v);
                                                                                         if (_e2313.cutoff <= 0f) {
-                                                                                            phi_2962_ = true;
+                                                                                            phi_2971_ = true;
                                                                                         } else {
                                                                                             let _e2322 = lt_shaders_surface_vertex_color((&local_1), _e2317);
                                                                                             let _e2324 = (_e2313.base_color.w * _e2322.w);
                                                                                             if (_e2313.alpha_size == 0u) {
-                                                                                                phi_2959_ = _e2324;
+                                                                                                phi_2968_ = _e2324;
                                                                                             } else {
                                                                                                 local.offset = _e2313.alpha_offset;
                                                                                                 local.size = _e2313.alpha_size;
@@ -2189,107 +2194,107 @@ fn function_() {
                                                                                                 let _e2333 = lt_shaders_surface_texture_coordinate((&local_1), _e2317);
                                                                                                 let _e2336 = _lt_shaders_texture_TextureView_quad((&local), _e2333.x, _e2333.y);
                                                                                                 let _e2340 = (_e2336.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2340 < _e92) {
+                                                                                                if (_e2340 < _e93) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
                                                                                                 let _e2344 = alpha_texels.member[(0u + _e2340)];
                                                                                                 let _e2360 = (_e2336.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2360 < _e92) {
+                                                                                                if (_e2360 < _e93) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
                                                                                                 let _e2364 = alpha_texels.member[(0u + _e2360)];
                                                                                                 let _e2381 = (_e2336.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2381 < _e92) {
+                                                                                                if (_e2381 < _e93) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
                                                                                                 let _e2385 = alpha_texels.member[(0u + _e2381)];
                                                                                                 let _e2402 = (_e2336.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2402 < _e92) {
+                                                                                                if (_e2402 < _e93) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
                                                                                                 let _e2406 = alpha_texels.member[(0u + _e2402)];
-                                                                                                phi_2959_ = (_e2324 * (((((f32(((_e2344 >> bitcast<u32>((((_e2336.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.x) + ((f32(((_e2364 >> bitcast<u32>((((_e2336.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.y)) + ((f32(((_e2385 >> bitcast<u32>((((_e2336.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.z)) + ((f32(((_e2406 >> bitcast<u32>((((_e2336.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.w)));
+                                                                                                phi_2968_ = (_e2324 * (((((f32(((_e2344 >> bitcast<u32>((((_e2336.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.x) + ((f32(((_e2364 >> bitcast<u32>((((_e2336.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.y)) + ((f32(((_e2385 >> bitcast<u32>((((_e2336.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.z)) + ((f32(((_e2406 >> bitcast<u32>((((_e2336.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.w)));
                                                                                             }
-                                                                                            let _e2422 = phi_2959_;
-                                                                                            phi_2962_ = (_e2422 >= _e2313.cutoff);
+                                                                                            let _e2422 = phi_2968_;
+                                                                                            phi_2971_ = (_e2422 >= _e2313.cutoff);
                                                                                         }
-                                                                                        let _e2426 = phi_2962_;
-                                                                                        phi_2963_ = _e2426;
+                                                                                        let _e2426 = phi_2971_;
+                                                                                        phi_2972_ = _e2426;
                                                                                     } else {
-                                                                                        phi_2963_ = false;
+                                                                                        phi_2972_ = false;
                                                                                     }
-                                                                                    let _e2428 = phi_2963_;
+                                                                                    let _e2428 = phi_2972_;
                                                                                     if _e2428 {
-                                                                                        phi_2967_ = false;
+                                                                                        phi_2976_ = false;
                                                                                     } else {
-                                                                                        phi_2967_ = true;
+                                                                                        phi_2976_ = true;
                                                                                     }
-                                                                                    let _e2430 = phi_2967_;
-                                                                                    phi_2968_ = _e2430;
-                                                                                    phi_2969_ = _e2428;
+                                                                                    let _e2430 = phi_2976_;
+                                                                                    phi_2977_ = _e2430;
+                                                                                    phi_2978_ = _e2428;
                                                                                 }
-                                                                                let _e2432 = phi_2968_;
-                                                                                let _e2434 = phi_2969_;
-                                                                                phi_2970_ = _e2432;
-                                                                                phi_2971_ = _e2259;
-                                                                                phi_2972_ = _e2434;
+                                                                                let _e2432 = phi_2977_;
+                                                                                let _e2434 = phi_2978_;
+                                                                                phi_2979_ = _e2432;
+                                                                                phi_2980_ = _e2259;
+                                                                                phi_2981_ = _e2434;
                                                                             } else {
-                                                                                phi_2970_ = true;
-                                                                                phi_2971_ = false;
-                                                                                phi_2972_ = false;
+                                                                                phi_2979_ = true;
+                                                                                phi_2980_ = false;
+                                                                                phi_2981_ = false;
                                                                             }
-                                                                            let _e2436 = phi_2970_;
-                                                                            let _e2438 = phi_2971_;
-                                                                            let _e2440 = phi_2972_;
-                                                                            phi_2973_ = _e2436;
-                                                                            phi_2974_ = _e2438;
-                                                                            phi_2975_ = _e2440;
+                                                                            let _e2436 = phi_2979_;
+                                                                            let _e2438 = phi_2980_;
+                                                                            let _e2440 = phi_2981_;
+                                                                            phi_2982_ = _e2436;
+                                                                            phi_2983_ = _e2438;
+                                                                            phi_2984_ = _e2440;
                                                                         } else {
-                                                                            phi_2973_ = true;
-                                                                            phi_2974_ = false;
-                                                                            phi_2975_ = false;
+                                                                            phi_2982_ = true;
+                                                                            phi_2983_ = false;
+                                                                            phi_2984_ = false;
                                                                         }
-                                                                        let _e2442 = phi_2973_;
-                                                                        let _e2444 = phi_2974_;
-                                                                        let _e2446 = phi_2975_;
-                                                                        phi_2976_ = _e2442;
-                                                                        phi_2977_ = _e2444;
-                                                                        phi_2978_ = _e2446;
+                                                                        let _e2442 = phi_2982_;
+                                                                        let _e2444 = phi_2983_;
+                                                                        let _e2446 = phi_2984_;
+                                                                        phi_2985_ = _e2442;
+                                                                        phi_2986_ = _e2444;
+                                                                        phi_2987_ = _e2446;
                                                                     } else {
-                                                                        phi_2976_ = true;
-                                                                        phi_2977_ = false;
-                                                                        phi_2978_ = false;
+                                                                        phi_2985_ = true;
+                                                                        phi_2986_ = false;
+                                                                        phi_2987_ = false;
                                                                     }
-                                                                    let _e2448 = phi_2976_;
-                                                                    let _e2450 = phi_2977_;
-                                                                    let _e2452 = phi_2978_;
+                                                                    let _e2448 = phi_2985_;
+                                                                    let _e2450 = phi_2986_;
+                                                                    let _e2452 = phi_2987_;
                                                                     if _e2448 {
-                                                                        phi_2982_ = false;
-                                                                        phi_2983_ = false;
+                                                                        phi_2991_ = false;
+                                                                        phi_2992_ = false;
                                                                     } else {
-                                                                        phi_2982_ = _e2450;
-                                                                        phi_2983_ = _e2452;
+                                                                        phi_2991_ = _e2450;
+                                                                        phi_2992_ = _e2452;
                                                                     }
-                                                                    let _e2454 = phi_2982_;
-                                                                    let _e2456 = phi_2983_;
-                                                                    phi_2300_ = (_e1894 & (_e1894 - 1u));
-                                                                    phi_2984_ = _e2448;
-                                                                    phi_2985_ = _e2454;
-                                                                    phi_2986_ = _e2456;
+                                                                    let _e2454 = phi_2991_;
+                                                                    let _e2456 = phi_2992_;
+                                                                    phi_2309_ = (_e1894 & (_e1894 - 1u));
+                                                                    phi_2993_ = _e2448;
+                                                                    phi_2994_ = _e2454;
+                                                                    phi_2995_ = _e2456;
                                                                 }
-                                                                let _e2458 = phi_2300_;
-                                                                let _e2460 = phi_2984_;
-                                                                let _e2462 = phi_2985_;
-                                                                let _e2464 = phi_2986_;
+                                                                let _e2458 = phi_2309_;
+                                                                let _e2460 = phi_2993_;
+                                                                let _e2462 = phi_2994_;
+                                                                let _e2464 = phi_2995_;
                                                                 local_14 = _e2462;
                                                                 local_15 = _e2464;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2299_ = _e2458;
+                                                                    phi_2308_ = _e2458;
                                                                     break if !(_e2460);
                                                                 }
                                                             }
@@ -2299,7 +2304,7 @@ fn function_() {
                                                                 if ((_e2469 & 4278190080u) == 0u) {
                                                                     let _e2473 = local_2.len;
                                                                     if (_e2473 == 0u) {
-                                                                        phi_3028_ = false;
+                                                                        phi_3037_ = false;
                                                                     } else {
                                                                         let _e2477 = local_2.len;
                                                                         local_2.len = (_e2477 - 1u);
@@ -2317,14 +2322,14 @@ fn function_() {
                                                                         }
                                                                         let _e2493 = local_2.mask[(0u + _e2488)];
                                                                         local_2.group_mask = _e2493;
-                                                                        phi_3028_ = true;
+                                                                        phi_3037_ = true;
                                                                     }
-                                                                    let _e2496 = phi_3028_;
-                                                                    phi_3029_ = _e2496;
+                                                                    let _e2496 = phi_3037_;
+                                                                    phi_3038_ = _e2496;
                                                                 } else {
-                                                                    phi_3029_ = true;
+                                                                    phi_3038_ = true;
                                                                 }
-                                                                let _e2498 = phi_3029_;
+                                                                let _e2498 = phi_3038_;
                                                                 if _e2498 {
                                                                     let _e2500 = local_2.group_mask;
                                                                     let _e2506 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2500)), 32u, (_e2500 == 0u)));
@@ -2332,123 +2337,123 @@ fn function_() {
                                                                     let _e2524 = local_2.group_mask;
                                                                     local_2.group_mask = (_e2524 & ~((1u << bitcast<u32>((_e2506 & 31u)))));
                                                                     let _e2527 = local_2.group;
-                                                                    phi_3060_ = (_e2527 + countOneBits(((_e2510 & ~((4294967295u << bitcast<u32>((((_e2506 - 24u) ^ _e1320) & 31u))))) & 255u)));
+                                                                    phi_3069_ = (_e2527 + countOneBits(((_e2510 & ~((4294967295u << bitcast<u32>((((_e2506 - 24u) ^ _e1320) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3060_ = 4294967295u;
+                                                                    phi_3069_ = 4294967295u;
                                                                 }
-                                                                let _e2530 = phi_3060_;
-                                                                phi_3061_ = _e2530;
-                                                                phi_3062_ = false;
-                                                                phi_3063_ = false;
+                                                                let _e2530 = phi_3069_;
+                                                                phi_3070_ = _e2530;
+                                                                phi_3071_ = false;
+                                                                phi_3072_ = false;
                                                             } else {
-                                                                phi_3061_ = u32();
+                                                                phi_3070_ = u32();
                                                                 let _e2903 = local_14;
-                                                                phi_3062_ = _e2903;
+                                                                phi_3071_ = _e2903;
                                                                 let _e2906 = local_15;
-                                                                phi_3063_ = _e2906;
+                                                                phi_3072_ = _e2906;
                                                             }
-                                                            let _e2532 = phi_3061_;
-                                                            let _e2534 = phi_3062_;
-                                                            let _e2536 = phi_3063_;
-                                                            phi_1970_ = _e2532;
+                                                            let _e2532 = phi_3070_;
+                                                            let _e2534 = phi_3071_;
+                                                            let _e2536 = phi_3072_;
+                                                            phi_1979_ = _e2532;
                                                             let _e2910 = local_16;
-                                                            phi_3064_ = _e2910;
-                                                            phi_3065_ = false;
-                                                            phi_3066_ = _e2534;
-                                                            phi_3067_ = _e2536;
+                                                            phi_3073_ = _e2910;
+                                                            phi_3074_ = false;
+                                                            phi_3075_ = _e2534;
+                                                            phi_3076_ = _e2536;
                                                         } else {
-                                                            phi_1970_ = u32();
-                                                            phi_3064_ = false;
-                                                            phi_3065_ = true;
-                                                            phi_3066_ = false;
-                                                            phi_3067_ = false;
+                                                            phi_1979_ = u32();
+                                                            phi_3073_ = false;
+                                                            phi_3074_ = true;
+                                                            phi_3075_ = false;
+                                                            phi_3076_ = false;
                                                         }
-                                                        let _e2538 = phi_1970_;
-                                                        let _e2540 = phi_3064_;
-                                                        let _e2542 = phi_3065_;
-                                                        let _e2544 = phi_3066_;
-                                                        let _e2546 = phi_3067_;
+                                                        let _e2538 = phi_1979_;
+                                                        let _e2540 = phi_3073_;
+                                                        let _e2542 = phi_3074_;
+                                                        let _e2544 = phi_3075_;
+                                                        let _e2546 = phi_3076_;
                                                         local_11 = _e2542;
                                                         local_17 = _e2544;
                                                         local_18 = _e2546;
                                                         continue;
                                                         continuing {
-                                                            phi_1969_ = _e2538;
+                                                            phi_1978_ = _e2538;
                                                             break if !(_e2540);
                                                         }
                                                     }
                                                     let _e2549 = local_11;
                                                     if _e2549 {
-                                                        phi_3071_ = false;
-                                                        phi_3072_ = false;
+                                                        phi_3080_ = false;
+                                                        phi_3081_ = false;
                                                     } else {
                                                         let _e2917 = local_17;
-                                                        phi_3071_ = _e2917;
+                                                        phi_3080_ = _e2917;
                                                         let _e2920 = local_18;
-                                                        phi_3072_ = _e2920;
+                                                        phi_3081_ = _e2920;
                                                     }
-                                                    let _e2551 = phi_3071_;
-                                                    let _e2553 = phi_3072_;
+                                                    let _e2551 = phi_3080_;
+                                                    let _e2553 = phi_3081_;
                                                     if _e2551 {
-                                                        phi_3076_ = true;
+                                                        phi_3085_ = true;
                                                     } else {
-                                                        phi_3076_ = _e2553;
+                                                        phi_3085_ = _e2553;
                                                     }
-                                                    let _e2555 = phi_3076_;
+                                                    let _e2555 = phi_3085_;
                                                     if _e2555 {
-                                                        phi_3080_ = true;
+                                                        phi_3089_ = true;
                                                     } else {
-                                                        phi_3080_ = false;
+                                                        phi_3089_ = false;
                                                     }
-                                                    let _e2557 = phi_3080_;
-                                                    phi_3081_ = _e2557;
+                                                    let _e2557 = phi_3089_;
+                                                    phi_3090_ = _e2557;
                                                 }
-                                                let _e2559 = phi_3081_;
-                                                phi_3082_ = _e2559;
-                                                phi_3083_ = _e1146;
+                                                let _e2559 = phi_3090_;
+                                                phi_3091_ = _e2559;
+                                                phi_3092_ = _e1146;
                                             } else {
-                                                phi_3082_ = bool();
-                                                phi_3083_ = true;
+                                                phi_3091_ = bool();
+                                                phi_3092_ = true;
                                             }
-                                            let _e2561 = phi_3082_;
-                                            let _e2563 = phi_3083_;
+                                            let _e2561 = phi_3091_;
+                                            let _e2563 = phi_3092_;
                                             if _e2563 {
-                                                phi_3087_ = false;
+                                                phi_3096_ = false;
                                             } else {
-                                                phi_3087_ = _e2561;
+                                                phi_3096_ = _e2561;
                                             }
-                                            let _e2565 = phi_3087_;
+                                            let _e2565 = phi_3096_;
                                             if _e2565 {
-                                                phi_3091_ = false;
+                                                phi_3100_ = false;
                                             } else {
-                                                phi_3091_ = true;
+                                                phi_3100_ = true;
                                             }
-                                            let _e2567 = phi_3091_;
-                                            phi_3092_ = _e2567;
+                                            let _e2567 = phi_3100_;
+                                            phi_3101_ = _e2567;
                                         } else {
-                                            phi_3092_ = true;
+                                            phi_3101_ = true;
                                         }
-                                        let _e2569 = phi_3092_;
-                                        phi_3093_ = _e2569;
+                                        let _e2569 = phi_3101_;
+                                        phi_3102_ = _e2569;
                                     } else {
-                                        phi_3093_ = true;
+                                        phi_3102_ = true;
                                     }
-                                    let _e2571 = phi_3093_;
-                                    phi_3094_ = _e2571;
+                                    let _e2571 = phi_3102_;
+                                    phi_3103_ = _e2571;
                                 } else {
-                                    phi_3094_ = true;
+                                    phi_3103_ = true;
                                 }
-                                let _e2573 = phi_3094_;
+                                let _e2573 = phi_3103_;
                                 if _e2573 {
                                 }
-                                phi_1361_ = (_e930 & (_e930 - 1u));
-                                phi_3098_ = _e2573;
+                                phi_1370_ = (_e930 & (_e930 - 1u));
+                                phi_3107_ = _e2573;
                             }
-                            let _e2575 = phi_1361_;
-                            let _e2577 = phi_3098_;
+                            let _e2575 = phi_1370_;
+                            let _e2577 = phi_3107_;
                             continue;
                             continuing {
-                                phi_1360_ = _e2575;
+                                phi_1369_ = _e2575;
                                 break if !(_e2577);
                             }
                         }
@@ -2458,7 +2463,7 @@ fn function_() {
                             if ((_e2582 & 4278190080u) == 0u) {
                                 let _e2586 = local_3.len;
                                 if (_e2586 == 0u) {
-                                    phi_3140_ = false;
+                                    phi_3149_ = false;
                                 } else {
                                     let _e2590 = local_3.len;
                                     local_3.len = (_e2590 - 1u);
@@ -2476,14 +2481,14 @@ fn function_() {
                                     }
                                     let _e2606 = local_3.mask[(0u + _e2601)];
                                     local_3.group_mask = _e2606;
-                                    phi_3140_ = true;
+                                    phi_3149_ = true;
                                 }
-                                let _e2609 = phi_3140_;
-                                phi_3141_ = _e2609;
+                                let _e2609 = phi_3149_;
+                                phi_3150_ = _e2609;
                             } else {
-                                phi_3141_ = true;
+                                phi_3150_ = true;
                             }
-                            let _e2611 = phi_3141_;
+                            let _e2611 = phi_3150_;
                             if _e2611 {
                                 let _e2613 = local_3.group_mask;
                                 let _e2619 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2613)), 32u, (_e2613 == 0u)));
@@ -2491,71 +2496,71 @@ fn function_() {
                                 let _e2637 = local_3.group_mask;
                                 local_3.group_mask = (_e2637 & ~((1u << bitcast<u32>((_e2619 & 31u)))));
                                 let _e2640 = local_3.group;
-                                phi_3172_ = (_e2640 + countOneBits(((_e2623 & ~((4294967295u << bitcast<u32>((((_e2619 - 24u) ^ _e356) & 31u))))) & 255u)));
+                                phi_3181_ = (_e2640 + countOneBits(((_e2623 & ~((4294967295u << bitcast<u32>((((_e2619 - 24u) ^ _e356) & 31u))))) & 255u)));
                             } else {
-                                phi_3172_ = 4294967295u;
+                                phi_3181_ = 4294967295u;
                             }
-                            let _e2643 = phi_3172_;
-                            phi_3173_ = _e2643;
+                            let _e2643 = phi_3181_;
+                            phi_3182_ = _e2643;
                         } else {
-                            phi_3173_ = u32();
+                            phi_3182_ = u32();
                         }
-                        let _e2645 = phi_3173_;
-                        phi_1031_ = _e2645;
+                        let _e2645 = phi_3182_;
+                        phi_1040_ = _e2645;
                         let _e2941 = local_19;
-                        phi_3174_ = _e2941;
-                        phi_3175_ = false;
+                        phi_3183_ = _e2941;
+                        phi_3184_ = false;
                     } else {
-                        phi_1031_ = u32();
-                        phi_3174_ = false;
-                        phi_3175_ = true;
+                        phi_1040_ = u32();
+                        phi_3183_ = false;
+                        phi_3184_ = true;
                     }
-                    let _e2647 = phi_1031_;
-                    let _e2649 = phi_3174_;
-                    let _e2651 = phi_3175_;
+                    let _e2647 = phi_1040_;
+                    let _e2649 = phi_3183_;
+                    let _e2651 = phi_3184_;
                     local_13 = _e2651;
                     continue;
                     continuing {
-                        phi_1030_ = _e2647;
+                        phi_1039_ = _e2647;
                         break if !(_e2649);
                     }
                 }
                 let _e2654 = local_13;
                 if _e2654 {
-                    phi_3179_ = false;
+                    phi_3188_ = false;
                 } else {
-                    phi_3179_ = true;
+                    phi_3188_ = true;
                 }
-                let _e2656 = phi_3179_;
+                let _e2656 = phi_3188_;
                 if _e2656 {
-                    phi_3183_ = true;
+                    phi_3192_ = true;
                 } else {
-                    phi_3183_ = false;
+                    phi_3192_ = false;
                 }
-                let _e2658 = phi_3183_;
-                phi_3184_ = _e2658;
+                let _e2658 = phi_3192_;
+                phi_3193_ = _e2658;
             }
-            let _e2660 = phi_3184_;
-            phi_3185_ = _e2660;
-            phi_3186_ = _e203;
+            let _e2660 = phi_3193_;
+            phi_3194_ = _e2660;
+            phi_3195_ = _e203;
         } else {
-            phi_3185_ = bool();
-            phi_3186_ = true;
+            phi_3194_ = bool();
+            phi_3195_ = true;
         }
-        let _e2662 = phi_3185_;
-        let _e2664 = phi_3186_;
+        let _e2662 = phi_3194_;
+        let _e2664 = phi_3195_;
         if _e2664 {
-            phi_3190_ = false;
+            phi_3199_ = false;
         } else {
-            phi_3190_ = _e2662;
+            phi_3199_ = _e2662;
         }
-        let _e2666 = phi_3190_;
+        let _e2666 = phi_3199_;
         if _e2666 {
-            phi_3194_ = 0f;
+            phi_3203_ = 0f;
         } else {
-            phi_3194_ = 1f;
+            phi_3203_ = 1f;
         }
-        let _e2668 = phi_3194_;
+        let _e2668 = phi_3203_;
         if (_e103 < arrayLength((&visibility.member))) {
         } else {
             return;

@@ -1,5 +1,54 @@
 #![no_std]
-//! lt-bvh
+//! Wide BVHs, watertight triangles, occlusion rays: one traversal for the CPU and the GPU.
+//!
+//! # The idea
+//!
+//! A ray's answer is a **function of the ray and the triangles alone**. Trees, orders of traversal and instruction
+//! sets only change how fast it comes. Three rules make that hold bit for bit:
+//!
+//! 1. The triangle test is watertight (Woop, Benthin, Wald 2013) and decides by arithmetic that neighbours share.
+//! 2. A hit counts only if the ray also meets the triangle's own box, widened by a margin that covers all
+//!    rounding; nodes are widened by twice as much, so no node test can cut off a hit that counts.
+//! 3. Of hits at the same t the lowest triangle index wins, then the lowest instance.
+//!
+//! The **shared kernel** ([`closest_hit`], [`occluded`] and their `_instanced` forms) is `no_std`, needs no allocator
+//! and compiles to SPIR-V. It walks eight-wide nodes of 80 bytes ([`Node`]; Ylitie, Karras, Laine 2017). On the CPU,
+//! feature `build` adds construction with obvhs (`Bvh`, `InstancedBvh`) and, behind the `Tracer` seam, a SIMD
+//! traversal on trees of its own that proposes triangles which the kernel's own test accepts or rejects.
+//!
+//! # Conventions
+//!
+//! - A ray is `origin + t · direction` for `tmin < t < tmax`, exclusive at both ends; `direction` has any length.
+//! - Triangles are two-sided. `u` and `v` are the weights of `v1` and `v2`.
+//! - Triangles and instances are in leaf order, and hits name them by it. `Bvh::sources` and `Instance::source`
+//!   lead back to the caller's order.
+//! - Triangles flagged [`Triangle::NON_OPAQUE`] ask an [`AnyHit`] inside the traversal; a struct of slices, passed by
+//!   value, works on the GPU too.
+//! - Bad rays (NaN, magnitudes of 1e15 and more) hit nothing. Bad triangles are dropped by the builder and counted.
+//! - An empty tree is one zeroed [`Node`].
+//!
+//! # Example
+//!
+#![cfg_attr(feature = "build", doc = "```")]
+#![cfg_attr(not(feature = "build"), doc = "```ignore")]
+//! use lt_bvh::{BuildQuality, Bvh, Opaque, Ray, Simd, Tracer, occluded, offset_origin};
+//! use lt_math::glam::Vec3;
+//!
+//! let positions = [Vec3::ZERO, Vec3::X, Vec3::Y];
+//! let bvh = Bvh::build(&positions, &[[0, 1, 2]], |_| true, BuildQuality::Medium)?;
+//! bvh.validate()?;
+//!
+//! // From a receiver below the triangle toward a sun above it.
+//! let origin = offset_origin(Vec3::new(0.2, 0.2, -1.0), Vec3::Z, 1.0);
+//! let ray = Ray::new(origin, Vec3::Z);
+//! assert!(occluded(bvh.nodes(), bvh.triangles(), ray, Opaque));
+//!
+//! // The same for a batch, as fast as this processor can.
+//! let mut blocked = [false];
+//! Simd::new(&bvh).occluded_batch(&[ray], Opaque, &mut blocked);
+//! assert_eq!(blocked, [true]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #[cfg(feature = "std")]
 extern crate std;

@@ -105,7 +105,7 @@ pub(crate) fn closest_in_tree<A: AnyHit, P: Probe>(
             leaves &= leaves - 1;
             probe.triangle();
             let triangle = &triangles[index as usize];
-            let hit = shear.intersect(&slab, triangle, window);
+            let hit = shear.intersect(&ray, &slab, triangle, window);
             if hit.is_hit && hit.t > ray.tmin && is_nearer(hit.t, index, instance, &best) {
                 let counts = triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v);
                 if counts {
@@ -148,7 +148,7 @@ pub(crate) fn occluded_in_tree<A: AnyHit, P: Probe>(
             leaves &= leaves - 1;
             probe.triangle();
             let triangle = &triangles[index as usize];
-            let hit = shear.intersect(&slab, triangle, window);
+            let hit = shear.intersect(&ray, &slab, triangle, window);
             if hit.is_hit && hit.t > ray.tmin && hit.t < ray.tmax {
                 let counts = triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v);
                 if counts {

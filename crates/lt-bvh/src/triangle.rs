@@ -130,10 +130,10 @@ impl Shear {
         Vec3::new(p.x - self.x * p.z, p.y - self.y * p.z, self.z * p.z)
     }
 
-    /// Intersects; the hit must also lie within `window`, and its t is clamped to where the ray passes the
+    /// Intersects between the ends of `ray`; the hit must also lie within `window`, and its t is clamped to where the ray passes the
     /// triangle's own widened box, so that no box test can contradict it (see [`crate::slab`]).
     #[inline(always)]
-    pub fn intersect(&self, slab: &Slab, triangle: &Triangle, window: Span) -> Intersection {
+    pub fn intersect(&self, ray: &Ray, slab: &Slab, triangle: &Triangle, window: Span) -> Intersection {
         let a = self.apply(triangle.v0);
         let b = self.apply(triangle.v1);
         let c = self.apply(triangle.v2);
@@ -146,6 +146,9 @@ impl Shear {
             return NO_INTERSECTION;
         }
         let t = (u * a.z + v * b.z + w * c.z) / sum;
+        if !(t > ray.tmin && t < ray.tmax) {
+            return NO_INTERSECTION;
+        }
         let span = slab.span(triangle.low(), triangle.high());
         let near = if span.near > window.near { span.near } else { window.near };
         let far = if span.far < window.far { span.far } else { window.far };

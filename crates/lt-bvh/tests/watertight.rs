@@ -147,7 +147,9 @@ fn self_hits(factor: f32) -> (usize, usize) {
     cases.extend([(1.0, 500.0), (1.0, 8_000.0), (100.0, 8_000.0), (1e3, 6e6), (1e5, 6e6)]);
     for (scale, offset) in cases {
         for _ in 0..4_000 {
-            let Some((mesh, position, normal, magnitude)) = surface(&mut rng, scale, offset) else { continue };
+            let Some((mesh, position, normal, magnitude)) = surface(&mut rng, scale, offset) else {
+                continue;
+            };
             let bvh = mesh.build(BuildQuality::Fast);
             let origin = offset_origin(position, normal, magnitude * factor);
             for _ in 0..4 {

@@ -2,7 +2,7 @@
 //!
 //! `cargo bench -p lt-math`; each figure is for one pass over 1024 footprints (Criterion also prints elements/s).
 
-#[path = "../tests/support/random.rs"]
+#[path = "../tests/root/support/random.rs"]
 mod random;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};

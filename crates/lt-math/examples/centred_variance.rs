@@ -2,7 +2,7 @@
 //!
 //! `cargo run -p lt-math --release --example centred_variance [FOOTPRINTS]`
 
-#[path = "../tests/support/mod.rs"]
+#[path = "../tests/root/support/mod.rs"]
 mod support;
 
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, ShadowTest, Vsm};

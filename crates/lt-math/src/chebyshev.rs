@@ -10,8 +10,8 @@ use glam::Vec4;
 /// How much of M₂ the difference M₂ − M₁² may lose to rounding: 2⁻²¹.
 ///
 /// Eight roundings of 2⁻²⁴ relative to M₂ each: squaring, weighting and summing M₂ and M₁, and weights that sum to 1 only
-/// within rounding. [`from_raw_moments`] raises the variance to that share of M₂, because a bound that rounding has made
-/// too small is a shadow claimed with confidence, while one too large merely costs a ray.
+/// within rounding. [`from_raw_moments`] adds that share of M₂ to the variance, because a bound that rounding has made too
+/// small is a shadow claimed with confidence, while one too large merely costs a ray.
 pub const RAW_VARIANCE_NOISE: f32 = 4.768_371_6e-7;
 
 /// The bound for a variance and the receiver's distance behind the mean, `receiver − mean`; all in the same unit.
@@ -28,10 +28,10 @@ pub fn upper_bound(variance: f32, distance_behind_mean: f32) -> f32 {
 
 /// The bound from raw moments `mean` = M₁ and `second` = M₂ of a (warped) depth, for a receiver warped alike.
 ///
-/// The variance is at least `min_variance` and at least [`RAW_VARIANCE_NOISE`]·M₂.
+/// The variance is M₂ − M₁² plus [`RAW_VARIANCE_NOISE`]·M₂, and at least `min_variance`.
 #[inline]
 pub fn from_raw_moments(mean: f32, second: f32, receiver: f32, min_variance: f32) -> f32 {
-    let variance = float::max(second - mean * mean, float::max(min_variance, RAW_VARIANCE_NOISE * second));
+    let variance = float::max(second - mean * mean + RAW_VARIANCE_NOISE * second, min_variance);
     upper_bound(variance, receiver - mean)
 }
 

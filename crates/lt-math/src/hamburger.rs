@@ -9,7 +9,7 @@ use crate::hankel::{HankelFactors, mass_at};
 #[inline]
 pub fn upper_bound(factors: &HankelFactors, receiver_depth: f32) -> f32 {
     let d = receiver_depth;
-    if factors.has_only_ends() && d > 0.0 {
+    if factors.is_mostly_background() && d > 0.0 {
         return float::saturate(factors.moments().x);
     }
     let others = factors.companions(d);

@@ -33,13 +33,13 @@ impl HankelFactors {
         self.moments
     }
 
-    /// Whether all mass lies on the depths 0 and 1, which makes the matrix singular: E[z] = E[z⁴].
+    /// Whether all mass lies on the depths 0 and 1, most of it on 1 (the clear value): the matrix is then singular.
     ///
-    /// Biased footprints that are all background (1) or all near plane (0) are such, exactly even in f32; the lit
-    /// fraction is then E[z] for every depth in (0, 1].
+    /// E[z] = E[z⁴] says so, exactly even in f32 and after biasing. The lit fraction is then E[z] for depths in (0, 1].
+    /// Mass on the near plane is left unsolved: a receiver there would be a shadow claimed over one rounding.
     #[inline]
-    pub fn has_only_ends(&self) -> bool {
-        self.moments.x == self.moments.w
+    pub fn is_mostly_background(&self) -> bool {
+        self.moments.x == self.moments.w && self.moments.x > 0.5
     }
 
     /// Solves B c = (1, z, z²)ᵀ up to a positive factor; NaN or infinite where a pivot is 0.

@@ -10,7 +10,7 @@ use glam::Vec4;
 #[inline]
 pub fn upper_bound(factors: &HankelFactors, receiver_depth: f32) -> f32 {
     let d = receiver_depth;
-    if factors.has_only_ends() {
+    if factors.is_mostly_background() {
         return hamburger::upper_bound(factors, d);
     }
     let others = factors.companions(d);

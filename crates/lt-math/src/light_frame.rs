@@ -72,7 +72,7 @@ fn normalize_or_down(direction: Vec3) -> Vec3 {
     let largest = float::max(a.x, float::max(a.y, a.z));
     let scaled = direction / largest;
     let length = float::sqrt(scaled.x * scaled.x + scaled.y * scaled.y + scaled.z * scaled.z);
-    if largest > 0.0 && length >= 1.0 && length < 2.0 { scaled / length } else { Vec3::NEG_Y }
+    if largest > 0.0 && (1.0..2.0).contains(&length) { scaled / length } else { Vec3::NEG_Y }
 }
 
 #[cfg(test)]

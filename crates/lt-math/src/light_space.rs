@@ -48,15 +48,15 @@ impl LightProjection {
         let w = float::dot4(self.row_w, p);
         let uv = Vec2::new(float::dot4(self.row_x, p) / w, float::dot4(self.row_y, p) / w);
         let depth = float::dot4(self.row_z, p);
-        let is_inside = w > 0.0
-            && uv.x >= 0.0
-            && uv.x <= 1.0
-            && uv.y >= 0.0
-            && uv.y <= 1.0
-            && depth >= 0.0
-            && depth <= 1.0;
+        let is_inside = w > 0.0 && is_unit(uv.x) && is_unit(uv.y) && is_unit(depth);
         LightPoint { uv, depth, is_inside }
     }
+}
+
+/// Whether `x` lies in [0, 1]; not so for NaN.
+#[inline]
+fn is_unit(x: f32) -> bool {
+    (0.0..=1.0).contains(&x)
 }
 
 #[cfg(not(target_arch = "spirv"))]

@@ -192,16 +192,6 @@ pub struct FilterParams {
     pub pad: UVec2,
 }
 
-/// What the indirect dispatch of the resolve pass reads: workgroup counts, then the number of doubted pixels.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-pub struct DoubtHeader {
-    /// Workgroups along x, y and z.
-    pub workgroups: [u32; 3],
-    /// Doubted pixels listed.
-    pub count: u32,
-}
-
 const _: () = {
     assert!(size_of::<Sample>() == 48);
     assert!(size_of::<CameraParams>() == 80);
@@ -211,5 +201,4 @@ const _: () = {
     assert!(size_of::<ShadeParams>() == 112);
     assert!(size_of::<DepthParams>() == 80);
     assert!(size_of::<FilterParams>() == 32);
-    assert!(size_of::<DoubtHeader>() == 16);
 };

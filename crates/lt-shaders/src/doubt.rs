@@ -3,6 +3,8 @@
 //! Layout in words: three workgroup counts for the indirect dispatch, the number of listed pixels, then the pixels'
 //! indices in no particular order. The CPU backend collects the same pixels tile by tile instead.
 
+use lt_math::glam::{UVec2, UVec3};
+
 /// First word of the list proper.
 pub const LIST_START: u32 = 4;
 /// Word that counts the listed pixels.
@@ -15,7 +17,33 @@ pub const fn list_words(pixels: u32) -> u32 {
     LIST_START + pixels
 }
 
-/// Workgroups that cover `count` listed pixels.
-pub fn workgroups_for(count: u32) -> u32 {
-    count.div_ceil(RESOLVE_WORKGROUP)
+/// Workgroups along x at most: every API allows 65535, and a 4K picture may need more in all.
+pub const MAX_WORKGROUPS_X: u32 = 32768;
+
+/// Workgroups along x and y that cover `count` listed pixels.
+pub fn workgroups_for(count: u32) -> UVec2 {
+    let total = count.div_ceil(RESOLVE_WORKGROUP);
+    UVec2::new(total.min(MAX_WORKGROUPS_X), total.div_ceil(MAX_WORKGROUPS_X))
+}
+
+/// Which listed pixel an invocation takes.
+pub fn slot_of(id: UVec3) -> u32 {
+    id.y * (MAX_WORKGROUPS_X * RESOLVE_WORKGROUP) + id.x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_dispatch_covers_every_listed_pixel() {
+        for count in [0, 1, 64, 65, 2_097_152, 2_097_153, 8_294_400, 268_435_456] {
+            let groups = workgroups_for(count);
+            assert!(groups.x <= MAX_WORKGROUPS_X);
+            assert!(u64::from(groups.x) * u64::from(groups.y) * 64 >= u64::from(count));
+            if groups.y > 1 {
+                assert_eq!(groups.x, MAX_WORKGROUPS_X, "rows must be full: slots count on it");
+            }
+        }
+    }
 }

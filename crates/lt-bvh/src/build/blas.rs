@@ -63,10 +63,11 @@ const INDEX_LIMIT: usize = 1 << 31;
 fn corners(positions: &[Vec3], triangle: usize, indices: [u32; 3]) -> Result<[Vec3; 3], BuildError> {
     let corner = |vertex: u32| {
         let vertices = positions.len();
-        positions
-            .get(vertex as usize)
-            .copied()
-            .ok_or(BuildError::VertexOutOfRange { triangle, vertex, vertices })
+        positions.get(vertex as usize).copied().ok_or(BuildError::VertexOutOfRange {
+            triangle,
+            vertex,
+            vertices,
+        })
     };
     Ok([corner(indices[0])?, corner(indices[1])?, corner(indices[2])?])
 }

@@ -203,11 +203,7 @@ pub(crate) fn instance_bounds(instance: &Instance) -> Bounds {
 fn rows(map: &DAffine3) -> [Vec4; 3] {
     let m = map.matrix3.transpose();
     let t = map.translation;
-    [
-        m.x_axis.extend(t.x).as_vec4(),
-        m.y_axis.extend(t.y).as_vec4(),
-        m.z_axis.extend(t.z).as_vec4(),
-    ]
+    [m.x_axis.extend(t.x).as_vec4(), m.y_axis.extend(t.y).as_vec4(), m.z_axis.extend(t.z).as_vec4()]
 }
 
 fn absolute(m: DMat3) -> DMat3 {
@@ -217,8 +213,7 @@ fn absolute(m: DMat3) -> DMat3 {
 fn instance(index: usize, placement: &Placement, part: &Section) -> Result<Instance, BuildError> {
     let singular = BuildError::Singular { placement: index };
     let m = placement.object_to_world;
-    let to_world =
-        DAffine3 { matrix3: m.matrix3.as_dmat3(), translation: m.translation.as_dvec3() };
+    let to_world = DAffine3 { matrix3: m.matrix3.as_dmat3(), translation: m.translation.as_dvec3() };
     if !to_world.is_finite() || to_world.matrix3.determinant() == 0.0 {
         return Err(singular);
     }

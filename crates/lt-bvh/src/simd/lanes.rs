@@ -11,6 +11,7 @@ pub(crate) trait Lanes: Copy {
     fn add(self, a: Self::F, b: Self::F) -> Self::F;
     fn sub(self, a: Self::F, b: Self::F) -> Self::F;
     fn mul(self, a: Self::F, b: Self::F) -> Self::F;
+    fn div(self, a: Self::F, b: Self::F) -> Self::F;
     fn mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
     /// `b` where either is NaN.
     fn min(self, a: Self::F, b: Self::F) -> Self::F;
@@ -68,6 +69,10 @@ impl Lanes for Portable {
         zip(a, b, |a, b| a * b)
     }
     #[inline(always)]
+    fn div(self, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
+        zip(a, b, |a, b| a / b)
+    }
+    #[inline(always)]
     fn mul_add(self, a: [f32; 8], b: [f32; 8], c: [f32; 8]) -> [f32; 8] {
         self.add(self.mul(a, b), c)
     }
@@ -95,7 +100,7 @@ pub(crate) mod x86 {
     use super::Lanes;
     use core::arch::x86_64::*;
 
-    /// Proof that the processor has AVX2 and FMA.
+    /// Proof that the processor has AVX2, FMA, and the bit counting that came with them (BMI1, BMI2, POPCNT).
     #[derive(Clone, Copy)]
     pub(crate) struct Avx2(());
 
@@ -105,7 +110,11 @@ pub(crate) mod x86 {
 
     impl Avx2 {
         pub fn detect() -> Option<Self> {
-            let has = std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma");
+            let has = std::is_x86_feature_detected!("avx2")
+                && std::is_x86_feature_detected!("fma")
+                && std::is_x86_feature_detected!("bmi1")
+                && std::is_x86_feature_detected!("bmi2")
+                && std::is_x86_feature_detected!("popcnt");
             has.then_some(Avx2(()))
         }
     }
@@ -150,6 +159,11 @@ pub(crate) mod x86 {
         fn mul(self, a: __m256, b: __m256) -> __m256 {
             // SAFETY: `self` proves AVX.
             unsafe { _mm256_mul_ps(a, b) }
+        }
+        #[inline(always)]
+        fn div(self, a: __m256, b: __m256) -> __m256 {
+            // SAFETY: `self` proves AVX.
+            unsafe { _mm256_div_ps(a, b) }
         }
         #[inline(always)]
         fn mul_add(self, a: __m256, b: __m256, c: __m256) -> __m256 {
@@ -198,6 +212,10 @@ pub(crate) mod x86 {
         #[inline(always)]
         fn mul(self, a: __m256, b: __m256) -> __m256 {
             self.0.mul(a, b)
+        }
+        #[inline(always)]
+        fn div(self, a: __m256, b: __m256) -> __m256 {
+            self.0.div(a, b)
         }
         #[inline(always)]
         fn mul_add(self, a: __m256, b: __m256, c: __m256) -> __m256 {

@@ -19,9 +19,9 @@ pub(crate) use tree::SimdTree;
 pub enum SimdLevel {
     /// What every processor of the target has.
     Portable,
-    /// AVX2 and FMA.
+    /// AVX2 and FMA, BMI1, BMI2 and POPCNT.
     Avx2,
-    /// AVX-512F and AVX-512VL.
+    /// AVX-512F and AVX-512VL besides.
     Avx512,
 }
 
@@ -164,13 +164,13 @@ impl<A: AnyHit> Batch for Closest<'_, A> {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
+#[target_feature(enable = "avx2,fma,bmi1,bmi2,popcnt")]
 fn run_avx2<B: Batch>(lanes: lanes::x86::Avx2, batch: B, scene: &Scene) {
     batch.run(lanes, scene);
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx2,fma")]
+#[target_feature(enable = "avx512f,avx512vl,avx2,fma,bmi1,bmi2,popcnt")]
 fn run_avx512<B: Batch>(lanes: lanes::x86::Avx512, batch: B, scene: &Scene) {
     batch.run(lanes, scene);
 }

@@ -1,7 +1,7 @@
 //! One ray against the wide tree: eight boxes or eight triangles per step.
 //!
 //! SIMD only proposes. Boxes are tested with the node margin of [`crate::slab`], so they cut off nothing that
-//! counts; triangles by the edge functions alone; and each triangle that passes is put to the shared kernel's
+//! counts; triangles by the edge functions and t; and each triangle that passes is put to the shared kernel's
 //! own test, which decides. So every path gives the kernel's bits, whatever it proposes in whatever order.
 
 use super::lanes::Lanes;
@@ -117,19 +117,37 @@ struct TriangleRay<L: Lanes> {
     origin: [L::F; 3],
     x: L::F,
     y: L::F,
+    z: L::F,
+    tmin: L::F,
+    tmax: L::F,
 }
 
 impl<L: Lanes> TriangleRay<L> {
     #[inline(always)]
-    fn new(lanes: L, shear: &Shear) -> Self {
+    fn new(lanes: L, shear: &Shear, ray: &Ray) -> Self {
         let z = shear.axis as usize;
-        let axes = if z == 0 { [1, 2, 0] } else if z == 1 { [2, 0, 1] } else { [0, 1, 2] };
+        let axes = if z == 0 {
+            [1, 2, 0]
+        } else if z == 1 {
+            [2, 0, 1]
+        } else {
+            [0, 1, 2]
+        };
         let o = shear.origin;
         let permuted = Vec3::new(o[axes[0]], o[axes[1]], o[axes[2]]);
-        TriangleRay { axes, origin: spread(lanes, permuted), x: lanes.splat(shear.x), y: lanes.splat(shear.y) }
+        TriangleRay {
+            axes,
+            origin: spread(lanes, permuted),
+            x: lanes.splat(shear.x),
+            y: lanes.splat(shear.y),
+            z: lanes.splat(shear.z),
+            tmin: lanes.splat(ray.tmin),
+            tmax: lanes.splat(ray.tmax),
+        }
     }
 
-    /// The triangles of a block whose edge functions have one sign: at least all that the ray hits.
+    /// The triangles of a block that pass the kernel's arithmetic but for its test of their own boxes: at least all
+    /// that the ray hits.
     #[inline(always)]
     fn test(&self, lanes: L, vertices: &[[[f32; 8]; 3]; 3]) -> u32 {
         let a = self.project(lanes, &vertices[0]);
@@ -139,22 +157,30 @@ impl<L: Lanes> TriangleRay<L> {
         let zero = lanes.splat(0.0);
         let least = lanes.min(lanes.min(u, v), w);
         let most = lanes.max(lanes.max(u, v), w);
-        lanes.le(zero, least) | lanes.le(most, zero)
+        let inside = lanes.le(zero, least) | lanes.le(most, zero);
+        if inside == 0 {
+            return 0;
+        }
+        let (az, bz, cz) = (lanes.mul(self.z, a.2), lanes.mul(self.z, b.2), lanes.mul(self.z, c.2));
+        let ab = lanes.add(lanes.mul(u, az), lanes.mul(v, bz));
+        let sum = lanes.add(lanes.add(u, v), w);
+        let t = lanes.div(lanes.add(ab, lanes.mul(w, cz)), sum);
+        inside & lanes.le(self.tmin, t) & lanes.le(t, self.tmax)
     }
 
-    /// x and y of eight vertices in the ray's frame, by the kernel's arithmetic.
+    /// x and y of eight vertices in the ray's frame, by the kernel's arithmetic, and z before its scaling.
     #[inline(always)]
-    fn project(&self, lanes: L, vertex: &[[f32; 8]; 3]) -> (L::F, L::F) {
+    fn project(&self, lanes: L, vertex: &[[f32; 8]; 3]) -> (L::F, L::F, L::F) {
         let depth = lanes.sub(lanes.load(&vertex[self.axes[2]]), self.origin[2]);
         let x = lanes.sub(lanes.load(&vertex[self.axes[0]]), self.origin[0]);
         let y = lanes.sub(lanes.load(&vertex[self.axes[1]]), self.origin[1]);
-        (lanes.sub(x, lanes.mul(self.x, depth)), lanes.sub(y, lanes.mul(self.y, depth)))
+        (lanes.sub(x, lanes.mul(self.x, depth)), lanes.sub(y, lanes.mul(self.y, depth)), depth)
     }
 }
 
 /// The kernel's edge function by the direct formula: the same value, in other order of vertices too.
 #[inline(always)]
-fn cross<L: Lanes>(lanes: L, p: (L::F, L::F), q: (L::F, L::F)) -> L::F {
+fn cross<L: Lanes>(lanes: L, p: (L::F, L::F, L::F), q: (L::F, L::F, L::F)) -> L::F {
     lanes.sub(lanes.mul(p.0, q.1), lanes.mul(p.1, q.0))
 }
 
@@ -174,7 +200,7 @@ impl<L: Lanes> Prepared<L> {
         let slab = Slab::new(&ray, tree.low, tree.high);
         let shear = Shear::new(&ray);
         let boxes = BoxRay::new(lanes, &slab, tree.base, ray.tmin);
-        Prepared { ray, slab, shear, boxes, triangles: TriangleRay::new(lanes, &shear), window }
+        Prepared { ray, slab, shear, boxes, triangles: TriangleRay::new(lanes, &shear, &ray), window }
     }
 
     /// Whether a block of triangles blocks the ray.
@@ -187,7 +213,7 @@ impl<L: Lanes> Prepared<L> {
             candidates &= candidates - 1;
             let index = part.first_triangle + block.triangles[lane];
             let triangle = &part.triangles[index as usize];
-            let hit = self.shear.intersect(&self.slab, triangle, self.window);
+            let hit = self.shear.intersect(&self.ray, &self.slab, triangle, self.window);
             let is_hit = hit.is_hit && hit.t > self.ray.tmin && hit.t < self.ray.tmax;
             if is_hit && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v)) {
                 return true;
@@ -214,7 +240,7 @@ impl<L: Lanes> Prepared<L> {
             candidates &= candidates - 1;
             let index = part.first_triangle + block.triangles[lane];
             let triangle = &part.triangles[index as usize];
-            let hit = self.shear.intersect(&self.slab, triangle, self.window);
+            let hit = self.shear.intersect(&self.ray, &self.slab, triangle, self.window);
             let is_hit = hit.is_hit && hit.t > self.ray.tmin && is_nearer(hit.t, index, instance, &best);
             if is_hit && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v)) {
                 best = Hit { t: hit.t, u: hit.u, v: hit.v, triangle: index, instance };

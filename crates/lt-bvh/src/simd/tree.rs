@@ -16,7 +16,7 @@ pub(crate) const LEAF: u32 = 0x8000_0000;
 pub(crate) const STACK: usize = 7 * MAX_DEPTH + 9;
 
 /// One block per leaf, whatever it holds: testing one triangle or eight costs the same.
-pub(crate) const BLOCK_LEAF: LeafCost = LeafCost { capacity: 8, fixed: 1.2, each: 0.1 };
+pub(crate) const BLOCK_LEAF: LeafCost = LeafCost { capacity: 8, fixed: 1.5, each: 0.0 };
 /// A leaf is one instance.
 pub(crate) const INSTANCE_LEAF: LeafCost = LeafCost { capacity: 1, fixed: 2.0, each: 0.0 };
 
@@ -88,9 +88,7 @@ impl SimdTree {
         let Some(binary) = binary else { return Self::empty() };
         let boxes: Vec<Bounds> = triangles.iter().map(crate::build::triangle_bounds).collect();
         let mut blocks = Vec::new();
-        let e = |k: &str, d: f32| std::env::var(k).ok().and_then(|v| v.parse().ok()).unwrap_or(d);
-        let cost = LeafCost { capacity: e("CAP", 8.0) as u32, fixed: e("FIXED", 1.2), each: e("EACH", 0.1) };
-        let mut tree = Self::collapse(binary, &boxes, cost, root, |leaf| {
+        let mut tree = Self::collapse(binary, &boxes, BLOCK_LEAF, root, |leaf| {
             blocks.push(block_of(leaf, triangles));
             blocks.len() as u32 - 1
         });

@@ -75,8 +75,7 @@ impl Mesh {
     }
 
     pub fn block(&mut self, low: Vec3, high: Vec3) {
-        let (x, y, z) =
-            (Vec3::X * (high.x - low.x), Vec3::Y * (high.y - low.y), Vec3::Z * (high.z - low.z));
+        let (x, y, z) = (Vec3::X * (high.x - low.x), Vec3::Y * (high.y - low.y), Vec3::Z * (high.z - low.z));
         for (corner, a, b) in
             [(low, z, y), (low, x, z), (low, y, x), (high, -y, -z), (high, -z, -x), (high, -x, -y)]
         {
@@ -122,7 +121,12 @@ pub fn foliage(leaves: usize, seed: u64) -> Mesh {
     let mut mesh = Mesh::default();
     mesh.quad(Vec3::new(-1.5, -0.5, -1.5), Vec3::Z * 3.0, Vec3::X * 3.0, true);
     let crowns: Vec<(Vec3, f32)> = (0..24)
-        .map(|_| (Vec3::new(rng.range(-0.9, 0.9), rng.range(-0.2, 0.1), rng.range(-0.9, 0.9)), rng.range(0.1, 0.25)))
+        .map(|_| {
+            (
+                Vec3::new(rng.range(-0.9, 0.9), rng.range(-0.2, 0.1), rng.range(-0.9, 0.9)),
+                rng.range(0.1, 0.25),
+            )
+        })
         .collect();
     for i in 0..leaves {
         let (centre, radius) = crowns[i % crowns.len()];

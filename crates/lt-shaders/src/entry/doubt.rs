@@ -11,7 +11,8 @@ pub fn doubt_dispatch_cs(
     #[spirv(global_invocation_id)] _id: UVec3,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] list: &mut [u32],
 ) {
-    list[0] = workgroups_for(list[COUNT]);
-    list[1] = 1;
+    let groups = workgroups_for(list[COUNT]);
+    list[0] = groups.x;
+    list[1] = groups.y;
     list[2] = 1;
 }

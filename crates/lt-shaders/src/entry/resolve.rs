@@ -7,7 +7,7 @@ use spirv_std::spirv;
 use super::pixel_index;
 use crate::{
     abi::{Material, Sample, ShadowParams, Vertex},
-    doubt::LIST_START,
+    doubt::{COUNT, LIST_START, slot_of},
     evaluate::settle,
     geometry::{FlatGeometry, InstancedGeometry},
     resolve::trace_visibility,
@@ -77,8 +77,9 @@ macro_rules! resolve_entries {
               #[spirv(storage_buffer, descriptor_set = 0, binding = $m1)] materials: &[Material],
               #[spirv(storage_buffer, descriptor_set = 0, binding = $a1)] alpha_texels: &[u32],)?
         ) {
-            if id.x < list[3] {
-                let i = list[(id.x + LIST_START) as usize] as usize;
+            let slot = slot_of(id);
+            if slot < list[COUNT] {
+                let i = list[(slot + LIST_START) as usize] as usize;
                 let geometry = geometry!(p, nodes, triangles $(, instances $i1)?);
                 let any_hit = any_hit!(triangles $(, vertices $v1, materials $m1, alpha_texels $a1)?);
                 visibility[i] = trace_visibility(&samples[i], p.light, geometry, any_hit);

@@ -53,20 +53,21 @@ proptest! {
         prop_assert!(moments.iter().flatten().all(|&v| v.is_nan() || is_in_range(v)), "{moments:?}");
     }
 
-    /// Never too dark, to 1e-5: rounding of weights that sum to 1 within 2⁻²³.
+    /// Never too dark, to 1e-5 (1e-4 filtered): rounding of weights that sum to 1 within 2⁻²³, and of stored means.
     #[test]
     fn filterable_tests_are_upper_bounds(z in depths(), w in weights(), d in depth()) {
-        let truth = lit_fraction(z, w, d) - 1e-5;
+        let truth = lit_fraction(z, w, d);
+        // NaN, the honest answer to 0/0, is no shadow either: it becomes a ray.
+        let holds = |v: [f32; 2]| (v[0].is_nan() || v[0] >= truth - 1e-5) && (v[1].is_nan() || v[1] >= truth - 1e-4);
         let pure = [
             both(Vsm { min_variance: 0.0 }, z, w, d), both(Esm::default(), z, w, d),
             both(Evsm { min_variance: 0.0, ..Evsm::default() }, z, w, d),
         ];
-        // NaN, the honest answer to 0/0, is no shadow either: it becomes a ray.
-        prop_assert!(pure.iter().flatten().all(|&v| v.is_nan() || v >= truth), "{pure:?} {truth}");
+        prop_assert!(pure.iter().all(|&v| holds(v)), "{pure:?} {truth}");
         let default = [both(Vsm::default(), z, w, d), both(Evsm::default(), z, w, d)];
-        prop_assert!(default.iter().flatten().all(|&v| v >= truth), "{default:?} {truth}");
+        prop_assert!(default.iter().all(|&v| holds(v) && !v[0].is_nan()), "{default:?} {truth}");
         let pcf = Pcf { bias: 0.0 };
-        prop_assert!(pcf.visibility_of_gather(z, w, d) >= truth);
+        prop_assert!(pcf.visibility_of_gather(z, w, d) >= truth - 1e-5);
     }
 
     /// Farther receivers are not brighter, to 2e-5: rounding of the exponentials.
@@ -101,10 +102,10 @@ proptest! {
 
     #[test]
     fn the_interval_bound_is_never_above_the_line_bound(z in depths(), w in weights(), d in depth()) {
-        // 3e-3 at a bias of 1e-3: what the conditioning leaves of 2⁻²⁴.
+        // 0.02 at a bias of 1e-3: what ill conditioning makes of 2⁻²⁴ where a companion nears an end of [0, 1].
         let line = filtered(MsmHamburger { moment_bias: 1e-3 }, z, w, d);
         let interval = filtered(MsmHausdorff { moment_bias: 1e-3 }, z, w, d);
-        prop_assert!(line.is_nan() || interval.is_nan() || interval <= line + 3e-3, "{interval} {line}");
+        prop_assert!(line.is_nan() || interval.is_nan() || interval <= line + 0.02, "{interval} {line}");
     }
 
     #[test]
@@ -126,4 +127,30 @@ proptest! {
             prop_assert!(is_ray(Sm::default().visibility_of_gather(z, w, d)));
         }
     }
+}
+
+/// The share of random footprints for which a moment bound is too dark, or grows with depth, by more than ε.
+///
+/// These laws hold for exact moments; in f32 they can only hold nearly always.
+#[test]
+fn moment_bounds_keep_the_laws_nearly_always() {
+    fn check<T: ShadowTest>(test: T) {
+        use crate::support::random::Random;
+        let mut random = Random::new(5);
+        let (mut dark, mut growing) = (0, 0);
+        const COUNT: u32 = 100_000;
+        for i in 0..COUNT {
+            let z = if i % 2 == 0 { random.two_layers() } else { random.four_depths() };
+            let (w, a, b) = (random.weights(), random.unit(), random.unit());
+            let (near, far) = (a.min(b), a.max(b));
+            let v = [near, far].map(|d| test.visibility_of_gather(z, w, d));
+            dark += u32::from(v[1] < lit_fraction(z, w, far) - LTT_EPSILON);
+            growing += u32::from(v[1] > v[0] + LTT_EPSILON);
+        }
+        assert!(dark < COUNT / 500, "{dark} of {COUNT} too dark");
+        assert!(growing < COUNT / 200, "{growing} of {COUNT} growing");
+        println!("{dark} too dark, {growing} growing, of {COUNT}");
+    }
+    check(MsmHamburger::default());
+    check(MsmHausdorff::default());
 }

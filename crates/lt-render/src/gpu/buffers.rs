@@ -1,0 +1,192 @@
+//! Buffers: a scene's, a frame's, and reading them back.
+
+use bytemuck::{Pod, Zeroable};
+use lt_math::glam::UVec2;
+use lt_shaders::{abi::Sample, doubt::list_words};
+use wgpu::BufferUsages as Usage;
+
+use crate::{DrawRange, PackedScene, RenderError};
+
+/// A scene on the device. Buffers of effects that the scene does not call for do not exist.
+pub struct GpuScene {
+    pub(super) nodes: wgpu::Buffer,
+    pub(super) triangles: wgpu::Buffer,
+    pub(super) vertices: wgpu::Buffer,
+    pub(super) materials: wgpu::Buffer,
+    pub(super) instances: Option<wgpu::Buffer>,
+    pub(super) alpha_texels: Option<wgpu::Buffer>,
+    pub(super) color_texels: Option<wgpu::Buffer>,
+    pub(super) draws: Vec<DrawRange>,
+}
+
+/// Per-pixel buffers of a view, and the map of the last frame.
+pub struct FrameBuffers {
+    pub(super) size: UVec2,
+    pub(super) samples: wgpu::Buffer,
+    pub(super) visibility: wgpu::Buffer,
+    pub(super) map: Option<MapBuffers>,
+    pub(super) doubt: Option<DoubtBuffers>,
+}
+
+/// One light map.
+pub(super) struct MapBuffers {
+    pub size: u32,
+    pub texture: wgpu::TextureView,
+    pub depths: wgpu::Buffer,
+    /// Blurred rows and blurred vectors, of a pre-filtered map.
+    pub filtered: Option<[wgpu::Buffer; 2]>,
+}
+
+/// The list of doubted pixels and the dispatch made from it.
+pub(super) struct DoubtBuffers {
+    pub list: wgpu::Buffer,
+    pub dispatch: wgpu::Buffer,
+}
+
+impl MapBuffers {
+    /// Bytes the technique needs for its map: depths (the raster target is a copy of them) and vectors.
+    pub fn bytes(&self) -> u64 {
+        self.depths.size() + self.filtered.iter().flatten().map(wgpu::Buffer::size).sum::<u64>()
+    }
+}
+
+/// Makes buffers and refuses those that the device cannot bind.
+#[derive(Clone)]
+pub(super) struct Allocator {
+    device: wgpu::Device,
+    name: String,
+}
+
+impl Allocator {
+    pub fn new(device: &wgpu::Device) -> Self {
+        Self { device: device.clone(), name: device.adapter_info().name }
+    }
+
+    pub fn error(&self, problem: String) -> RenderError {
+        RenderError::Gpu { device: self.name.clone(), problem }
+    }
+
+    fn check(&self, what: &str, bytes: u64) -> Result<(), RenderError> {
+        let limits = self.device.limits();
+        let most = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        if bytes > most {
+            return Err(self.error(format!(
+                "{what} need {bytes} bytes in one buffer, the device allows {most}: use a smaller scene, picture or map, \
+                 or --backend cpu"
+            )));
+        }
+        Ok(())
+    }
+
+    pub fn empty(&self, what: &str, bytes: u64, usage: Usage) -> Result<wgpu::Buffer, RenderError> {
+        self.check(what, bytes)?;
+        Ok(self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(what),
+            size: bytes.max(16),
+            usage,
+            mapped_at_creation: false,
+        }))
+    }
+
+    /// A buffer with this content; empty content becomes one zeroed element, because a binding cannot be empty.
+    pub fn filled<T: Pod + Zeroable>(&self, what: &str, data: &[T], usage: Usage) -> Result<wgpu::Buffer, RenderError> {
+        let zero = [T::zeroed()];
+        let bytes: &[u8] = bytemuck::cast_slice(if data.is_empty() { &zero } else { data });
+        self.check(what, bytes.len() as u64)?;
+        use wgpu::util::{BufferInitDescriptor, DeviceExt};
+        Ok(self.device.create_buffer_init(&BufferInitDescriptor { label: Some(what), contents: bytes, usage }))
+    }
+
+    pub fn scene(&self, scene: &PackedScene) -> Result<GpuScene, RenderError> {
+        let used = |data: &[u32], what| match data {
+            [] => Ok(None),
+            _ => self.filled(what, data, Usage::STORAGE).map(Some),
+        };
+        Ok(GpuScene {
+            nodes: self.filled("BVH nodes", scene.nodes(), Usage::STORAGE)?,
+            triangles: self.filled("triangles", scene.triangles(), Usage::STORAGE)?,
+            vertices: self.filled("vertices", scene.vertices(), Usage::STORAGE)?,
+            materials: self.filled("materials", scene.materials(), Usage::STORAGE)?,
+            instances: match scene.instances() {
+                [] => None,
+                all => Some(self.filled("instances", all, Usage::STORAGE)?),
+            },
+            alpha_texels: match scene.stats().masked_triangles {
+                0 => None,
+                _ => Some(self.filled("coverage texels", scene.alpha_texels(), Usage::STORAGE)?),
+            },
+            color_texels: used(scene.color_texels(), "colour texels")?,
+            draws: scene.draws().to_vec(),
+        })
+    }
+
+    pub fn frame(&self, size: UVec2) -> Result<FrameBuffers, RenderError> {
+        let pixels = u64::from(size.x) * u64::from(size.y);
+        let samples = pixels * size_of::<Sample>() as u64;
+        Ok(FrameBuffers {
+            size,
+            samples: self.empty("samples", samples, Usage::STORAGE | Usage::COPY_SRC)?,
+            visibility: self.empty("visibility", pixels * 4, Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST)?,
+            map: None,
+            doubt: None,
+        })
+    }
+
+    pub fn map(&self, size: u32, is_prefiltered: bool) -> Result<MapBuffers, RenderError> {
+        let most = self.device.limits().max_texture_dimension_2d;
+        if size > most {
+            return Err(self.error(format!("a map of {size}² texels exceeds the device's {most}²: use --map-size {most}")));
+        }
+        let texels = u64::from(size) * u64::from(size);
+        let texture = self.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("depth map"),
+            size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::Depth32Float,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        });
+        let vectors = |what| self.empty(what, texels * 16, Usage::STORAGE);
+        Ok(MapBuffers {
+            size,
+            texture: texture.create_view(&wgpu::TextureViewDescriptor::default()),
+            depths: self.empty("depths", texels * 4, Usage::STORAGE | Usage::COPY_DST)?,
+            filtered: match is_prefiltered {
+                true => Some([vectors("blurred rows")?, vectors("blurred vectors")?]),
+                false => None,
+            },
+        })
+    }
+
+    pub fn doubt(&self, size: UVec2) -> Result<DoubtBuffers, RenderError> {
+        let words = u64::from(list_words(size.x * size.y));
+        Ok(DoubtBuffers {
+            list: self.empty("doubt list", words * 4, Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST)?,
+            dispatch: self.empty("dispatch", 16, Usage::INDIRECT | Usage::COPY_DST)?,
+        })
+    }
+
+    /// Copies a buffer to the host and waits for it.
+    pub fn read<T: Pod>(&self, queue: &wgpu::Queue, source: &wgpu::Buffer, bytes: u64) -> Result<Vec<T>, RenderError> {
+        let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size: bytes,
+            usage: Usage::MAP_READ | Usage::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(source, 0, &staging, 0, bytes);
+        queue.submit([encoder.finish()]);
+        staging.map_async(wgpu::MapMode::Read, .., |_| {});
+        self.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map_err(|e| self.error(format!("reading back failed: {e}")))?;
+        let view = staging.get_mapped_range(..).map_err(|e| self.error(format!("reading back failed: {e}")))?;
+        // The mapping is aligned to 8 bytes at least; `Pod` types here need 4 or 16, so copy bytewise.
+        let mut values = vec![T::zeroed(); bytes as usize / size_of::<T>()];
+        bytemuck::cast_slice_mut::<T, u8>(&mut values).copy_from_slice(&view);
+        Ok(values)
+    }
+}

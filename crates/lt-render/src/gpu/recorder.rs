@@ -1,0 +1,462 @@
+//! Records passes into the caller's encoder.
+
+use std::collections::HashMap;
+
+use lt_math::glam::UVec2;
+use lt_shaders::abi::{CameraParams, ShadeParams};
+use wgpu::BufferUsages as Usage;
+
+use super::buffers::{Allocator, FrameBuffers, GpuScene, MapBuffers};
+use super::modules::ShaderModule;
+use crate::{EffectPlan, FrameJob, MapSource, PackedScene, PassKind, RenderError};
+
+/// Records shadow passes on a device that the caller owns.
+///
+/// Nothing is submitted and nothing is read back: [`Recorder::pass`] only adds to an encoder. Pipelines are made on
+/// first use and kept. The device needs [`super::STORAGE_BUFFERS`] storage buffers per stage.
+pub struct Recorder {
+    device: wgpu::Device,
+    allocator: Allocator,
+    compute: HashMap<String, wgpu::ComputePipeline>,
+    render: HashMap<&'static str, wgpu::RenderPipeline>,
+}
+
+impl Recorder {
+    /// For the caller's device.
+    pub fn new(device: &wgpu::Device) -> Self {
+        Self {
+            device: device.clone(),
+            allocator: Allocator::new(device),
+            compute: HashMap::new(),
+            render: HashMap::new(),
+        }
+    }
+
+    pub(super) fn allocator(&self) -> &Allocator {
+        &self.allocator
+    }
+
+    /// Uploads a scene.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
+    pub fn upload(&self, scene: &PackedScene) -> Result<GpuScene, RenderError> {
+        self.allocator.scene(scene)
+    }
+
+    /// Buffers for a view of this many pixels.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
+    pub fn frame_buffers(&self, size: UVec2) -> Result<FrameBuffers, RenderError> {
+        self.allocator.frame(size)
+    }
+
+    /// Traces primary rays into the frame's samples.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
+    pub fn camera(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        frame: &FrameBuffers,
+        p: &CameraParams,
+        plan: &EffectPlan,
+    ) -> Result<(), RenderError> {
+        let mut name = "camera".to_owned();
+        let uniform = self.allocator.filled("camera", &[*p], Usage::UNIFORM)?;
+        let mut bindings =
+            vec![&uniform, &scene.nodes, &scene.triangles, &scene.vertices, &scene.materials, &frame.samples];
+        let effects = [
+            (plan.instances, "_instanced", &scene.instances),
+            (plan.alpha_test, "_alpha", &scene.alpha_texels),
+            (plan.color_textures, "_color", &scene.color_texels),
+        ];
+        for (is_on, suffix, buffer) in effects {
+            if let (true, Some(buffer)) = (is_on, buffer) {
+                name += suffix;
+                bindings.push(buffer);
+            }
+        }
+        self.dispatch(encoder, &(name + "_cs"), &bindings, grid(frame.size))
+    }
+
+    /// Turns the caller's own G-buffer into the frame's samples: a float texture of world positions (w: largest
+    /// coordinate of the triangle's vertices, or 0) and one of unit geometric normals facing the camera (zero where
+    /// nothing is visible), both of the frame's size.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
+    pub fn import_gbuffer(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameBuffers,
+        positions: &wgpu::TextureView,
+        normals: &wgpu::TextureView,
+    ) -> Result<(), RenderError> {
+        let uniform = self.size_uniform(frame.size)?;
+        let resources = [
+            uniform.as_entire_binding(),
+            wgpu::BindingResource::TextureView(positions),
+            wgpu::BindingResource::TextureView(normals),
+            frame.samples.as_entire_binding(),
+        ];
+        self.dispatch_resources(encoder, "gbuffer_import_cs", &resources, grid(frame.size))
+    }
+
+    /// Writes the frame's visibility (1 lit, 0 blocked) into the caller's `R32Float` storage texture of the frame's
+    /// size.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
+    pub fn export_visibility(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameBuffers,
+        target: &wgpu::TextureView,
+    ) -> Result<(), RenderError> {
+        let uniform = self.size_uniform(frame.size)?;
+        let resources = [
+            uniform.as_entire_binding(),
+            frame.visibility.as_entire_binding(),
+            wgpu::BindingResource::TextureView(target),
+        ];
+        self.dispatch_resources(encoder, "visibility_export_cs", &resources, grid(frame.size))
+    }
+
+    /// The export and import kernels read the size alone of their parameters.
+    fn size_uniform(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {
+        let p = CameraParams { size, ..bytemuck::Zeroable::zeroed() };
+        self.allocator.filled("size", &[p], Usage::UNIFORM)
+    }
+
+    /// Makes the map and list that a job needs, keeping those of the last frame where they fit, and drops those that it
+    /// does not need.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when they exceed the device's limits.
+    pub fn prepare(&self, frame: &mut FrameBuffers, job: &FrameJob) -> Result<(), RenderError> {
+        let is_prefiltered = job.plan.is_prefiltered();
+        match job.map {
+            None => frame.map = None,
+            Some(map) => {
+                let fits = |m: &MapBuffers| m.size == map.depth.map_size && m.filtered.is_some() == is_prefiltered;
+                if !frame.map.as_ref().is_some_and(fits) {
+                    frame.map = Some(self.allocator.map(map.depth.map_size, is_prefiltered)?);
+                }
+            }
+        }
+        match job.plan.doubt_list {
+            false => frame.doubt = None,
+            true if frame.doubt.is_none() => frame.doubt = Some(self.allocator.doubt(frame.size)?),
+            true => {}
+        }
+        Ok(())
+    }
+
+    /// Records one pass of a job; [`Recorder::prepare`] comes first.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when a uniform cannot be made, or the frame was not prepared for this job.
+    pub fn pass(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        frame: &FrameBuffers,
+        kind: PassKind,
+        job: &FrameJob,
+    ) -> Result<(), RenderError> {
+        match kind {
+            PassKind::Camera => Ok(()),
+            PassKind::DepthMap => self.depth_map(encoder, scene, frame, job),
+            PassKind::FilterX | PassKind::FilterY => self.filter(encoder, frame, kind, job),
+            PassKind::Evaluate => self.evaluate(encoder, frame, job),
+            PassKind::Resolve => self.resolve(encoder, scene, frame, job),
+        }
+    }
+
+    fn unprepared(&self) -> RenderError {
+        self.allocator.error("the frame was not prepared for this job: call Recorder::prepare first".to_owned())
+    }
+
+    fn depth_map(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        frame: &FrameBuffers,
+        job: &FrameJob,
+    ) -> Result<(), RenderError> {
+        let (Some(map), Some(map_job)) = (&frame.map, job.map) else { return Err(self.unprepared()) };
+        let uniform = self.allocator.filled("depth map", &[map_job.depth], Usage::UNIFORM)?;
+        let mut variants: HashMap<&str, (wgpu::RenderPipeline, wgpu::BindGroup)> = HashMap::new();
+        for draw in &scene.draws {
+            let name = depth_variant(scene.instances.is_some(), draw.has_holes);
+            if !variants.contains_key(name) {
+                let pipeline = self.depth_pipeline(name)?;
+                let mut buffers = vec![&uniform, &scene.triangles];
+                buffers.extend(&scene.instances);
+                if draw.has_holes {
+                    buffers.extend([&scene.vertices, &scene.materials]);
+                    buffers.extend(&scene.alpha_texels);
+                }
+                let resources: Vec<_> = buffers.iter().map(|b| b.as_entire_binding()).collect();
+                let group = self.bind_group(&pipeline.get_bind_group_layout(0), &resources);
+                variants.insert(name, (pipeline, group));
+            }
+        }
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("depth map"),
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &map.texture,
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Store }),
+                stencil_ops: None,
+            }),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        for draw in &scene.draws {
+            let (pipeline, group) = &variants[depth_variant(scene.instances.is_some(), draw.has_holes)];
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, group, &[]);
+            let first = draw.first_triangle * 3;
+            pass.draw(first..first + draw.triangles * 3, draw.instance..draw.instance + 1);
+        }
+        drop(pass);
+        let extent = map.texture.texture().size();
+        encoder.copy_texture_to_buffer(
+            wgpu::TexelCopyTextureInfo {
+                texture: map.texture.texture(),
+                mip_level: 0,
+                origin: wgpu::Origin3d::ZERO,
+                aspect: wgpu::TextureAspect::DepthOnly,
+            },
+            wgpu::TexelCopyBufferInfo {
+                buffer: &map.depths,
+                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(map.size * 4), rows_per_image: None },
+            },
+            extent,
+        );
+        Ok(())
+    }
+
+    fn filter(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameBuffers,
+        kind: PassKind,
+        job: &FrameJob,
+    ) -> Result<(), RenderError> {
+        let (Some(map), Some(map_job), Some((test, _))) = (&frame.map, job.map, job.plan.map) else {
+            return Err(self.unprepared());
+        };
+        let Some([rows, vectors]) = &map.filtered else { return Err(self.unprepared()) };
+        let uniform = self.allocator.filled("filter", &[map_job.filter], Usage::UNIFORM)?;
+        let groups = grid(UVec2::splat(map.size));
+        if kind == PassKind::FilterX {
+            let name = format!("filter_x_{}_cs", test.id().replace('-', "_"));
+            self.dispatch(encoder, &name, &[&uniform, &map.depths, rows], groups)
+        } else {
+            self.dispatch(encoder, "filter_y_cs", &[&uniform, rows, vectors], groups)
+        }
+    }
+
+    fn evaluate(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameBuffers,
+        job: &FrameJob,
+    ) -> Result<(), RenderError> {
+        let (Some(map), Some((test, source))) = (&frame.map, job.plan.map) else { return Err(self.unprepared()) };
+        let uniform = self.allocator.filled("shadow", &[job.shadow], Usage::UNIFORM)?;
+        let ltt = if job.plan.doubt_list { "ltt_" } else { "" };
+        let test = test.id().replace('-', "_");
+        let (texels, suffix) = match (source, &map.filtered) {
+            (MapSource::Prefiltered, Some([_, vectors])) => (vectors, "_prefiltered"),
+            _ => (&map.depths, ""),
+        };
+        let mut bindings = vec![&uniform, &frame.samples, texels, &frame.visibility];
+        if job.plan.doubt_list {
+            let doubt = frame.doubt.as_ref().ok_or_else(|| self.unprepared())?;
+            encoder.clear_buffer(&doubt.list, 0, Some(16));
+            bindings.push(&doubt.list);
+        }
+        self.dispatch(encoder, &format!("evaluate_{ltt}{test}{suffix}_cs"), &bindings, grid(frame.size))
+    }
+
+    fn resolve(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        frame: &FrameBuffers,
+        job: &FrameJob,
+    ) -> Result<(), RenderError> {
+        let uniform = self.allocator.filled("shadow", &[job.shadow], Usage::UNIFORM)?;
+        let mut name = if job.plan.trace_all { "resolve_all" } else { "resolve_list" }.to_owned();
+        let mut bindings = vec![&uniform, &frame.samples, &scene.nodes, &scene.triangles, &frame.visibility];
+        let doubt = frame.doubt.as_ref();
+        if !job.plan.trace_all {
+            bindings.push(&doubt.ok_or_else(|| self.unprepared())?.list);
+        }
+        if let (true, Some(instances)) = (job.plan.instances, &scene.instances) {
+            name += "_instanced";
+            bindings.push(instances);
+        }
+        if let (true, Some(alpha_texels)) = (job.plan.alpha_test, &scene.alpha_texels) {
+            name += "_alpha";
+            bindings.extend([&scene.vertices, &scene.materials, alpha_texels]);
+        }
+        name += "_cs";
+        match doubt {
+            Some(doubt) if !job.plan.trace_all => {
+                self.dispatch(encoder, "doubt_dispatch_cs", &[&doubt.list], Groups::Fixed(1, 1))?;
+                encoder.copy_buffer_to_buffer(&doubt.list, 0, &doubt.dispatch, 0, 16);
+                self.dispatch(encoder, &name, &bindings, Groups::Indirect(&doubt.dispatch))
+            }
+            _ => self.dispatch(encoder, &name, &bindings, grid(frame.size)),
+        }
+    }
+
+    /// Shades the frame's samples with its visibility into `picture`, one sRGB word per pixel.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when a uniform cannot be made.
+    pub fn shade(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameBuffers,
+        picture: &wgpu::Buffer,
+        p: &ShadeParams,
+    ) -> Result<(), RenderError> {
+        let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
+        self.dispatch(encoder, "shade_cs", &[&uniform, &frame.samples, &frame.visibility, picture], grid(frame.size))
+    }
+
+    fn dispatch(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        name: &str,
+        buffers: &[&wgpu::Buffer],
+        groups: Groups<'_>,
+    ) -> Result<(), RenderError> {
+        let resources: Vec<_> = buffers.iter().map(|b| b.as_entire_binding()).collect();
+        self.dispatch_resources(encoder, name, &resources, groups)
+    }
+
+    fn dispatch_resources(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        name: &str,
+        resources: &[wgpu::BindingResource<'_>],
+        groups: Groups<'_>,
+    ) -> Result<(), RenderError> {
+        let pipeline = self.compute_pipeline(name)?;
+        let group = self.bind_group(&pipeline.get_bind_group_layout(0), resources);
+        let mut pass =
+            encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(name), timestamp_writes: None });
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        match groups {
+            Groups::Fixed(x, y) => pass.dispatch_workgroups(x, y, 1),
+            Groups::Indirect(buffer) => pass.dispatch_workgroups_indirect(buffer, 0),
+        }
+        Ok(())
+    }
+
+    fn bind_group(
+        &self,
+        layout: &wgpu::BindGroupLayout,
+        resources: &[wgpu::BindingResource<'_>],
+    ) -> wgpu::BindGroup {
+        let entries: Vec<_> = resources
+            .iter()
+            .enumerate()
+            .map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource: resource.clone() })
+            .collect();
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+    }
+
+    fn depth_pipeline(&mut self, name: &'static str) -> Result<wgpu::RenderPipeline, RenderError> {
+        if let Some(pipeline) = self.render.get(name) {
+            return Ok(pipeline.clone());
+        }
+        let pipeline = self.make_depth_pipeline(name)?;
+        self.render.insert(name, pipeline.clone());
+        Ok(pipeline)
+    }
+
+    fn make_depth_pipeline(&self, name: &str) -> Result<wgpu::RenderPipeline, RenderError> {
+        let vertex = self.module(&format!("{name}_vs"))?;
+        let fragment = if name.ends_with("alpha") { Some(self.module(&format!("{name}_fs"))?) } else { None };
+        let fragment = fragment.map(|f| (f.load(&self.device), f.entry_point));
+        Ok(self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(name),
+            layout: None,
+            vertex: wgpu::VertexState {
+                module: &vertex.load(&self.device),
+                entry_point: Some(vertex.entry_point),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            // Both faces cast.
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: wgpu::TextureFormat::Depth32Float,
+                depth_write_enabled: Some(true),
+                depth_compare: Some(wgpu::CompareFunction::Less),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: wgpu::MultisampleState::default(),
+            fragment: fragment.as_ref().map(|(module, entry_point)| wgpu::FragmentState {
+                module,
+                entry_point: Some(entry_point),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[],
+            }),
+            multiview_mask: None,
+            cache: None,
+        }))
+    }
+
+    fn module(&self, name: &str) -> Result<&'static ShaderModule, RenderError> {
+        ShaderModule::named(name)
+            .ok_or_else(|| self.allocator.error(format!("no shader module `{name}`: run `cargo xtask build-shaders`")))
+    }
+
+    fn compute_pipeline(&mut self, name: &str) -> Result<wgpu::ComputePipeline, RenderError> {
+        if let Some(pipeline) = self.compute.get(name) {
+            return Ok(pipeline.clone());
+        }
+        let module = self.module(name)?;
+        let pipeline = self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(name),
+            layout: None,
+            module: &module.load(&self.device),
+            entry_point: Some(module.entry_point),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        self.compute.insert(name.to_owned(), pipeline.clone());
+        Ok(pipeline)
+    }
+}
+
+/// How many workgroups.
+enum Groups<'a> {
+    Fixed(u32, u32),
+    Indirect(&'a wgpu::Buffer),
+}
+
+/// Workgroups of 8×8 that cover a picture.
+fn grid(size: UVec2) -> Groups<'static> {
+    Groups::Fixed(size.x.div_ceil(8), size.y.div_ceil(8))
+}
+
+fn depth_variant(is_instanced: bool, has_holes: bool) -> &'static str {
+    match (is_instanced, has_holes) {
+        (false, false) => "depth",
+        (false, true) => "depth_alpha",
+        (true, false) => "depth_instanced",
+        (true, true) => "depth_instanced_alpha",
+    }
+}
