@@ -1,1 +1,90 @@
-//! tests
+//! Helpers of the cross-crate tests: sessions, GPU availability, comparison of pictures and counts.
+//!
+//! GPU tests run on whatever adapter wgpu finds (lavapipe in CI). Without one they print that they were skipped and why;
+//! with `LT_REQUIRE_GPU` set in the environment a missing adapter is a failure.
+
+use lt_render::{BackendKind, RenderError, Session, Setup};
+use lt_scene::{Scene, Source};
+
+/// Environment variable that turns a missing GPU into a failure.
+pub const REQUIRE_GPU: &str = "LT_REQUIRE_GPU";
+
+/// CPU and GPU counts may differ by this share of the picture's pixels: one documented bound for all twin tests.
+/// Hardware may round a depth or a corner differently in the last bit; everything else is the same arithmetic.
+pub const TWIN_PPM: f64 = 20.0;
+
+/// A built-in scene at time 0.
+///
+/// # Panics
+/// When the name is no built-in scene.
+pub fn builtin(name: &str) -> Scene {
+    Source::open(name, 1).and_then(|s| s.pose(0.0)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+/// A CPU session on a scene, at a size.
+///
+/// # Panics
+/// When the session cannot be made.
+pub fn cpu_session(scene: &Scene, width: u32, height: u32) -> Session {
+    Session::new(scene, Setup::for_scene(scene, width, height), BackendKind::Cpu).expect("CPU session")
+}
+
+/// A GPU session, or `None` (said on stderr) where there is no adapter.
+///
+/// # Panics
+/// When there is none although [`REQUIRE_GPU`] is set, or on any other error.
+pub fn gpu_session(scene: &Scene, setup: Setup) -> Option<Session> {
+    match Session::new(scene, setup, BackendKind::Gpu) {
+        Ok(session) => Some(session),
+        Err(RenderError::NoAdapter(reason)) if std::env::var_os(REQUIRE_GPU).is_none() => {
+            eprintln!("skipped: no GPU adapter ({reason})");
+            None
+        }
+        Err(e) => panic!("GPU session: {e}"),
+    }
+}
+
+/// How many positions differ; NaN differs from everything, itself included.
+///
+/// # Panics
+/// When the lengths differ or nothing is compared: such a comparison would say nothing.
+pub fn count_different(a: &[f32], b: &[f32], tolerance: f32) -> usize {
+    assert_eq!(a.len(), b.len(), "lengths differ");
+    assert!(!a.is_empty(), "nothing to compare");
+    a.iter().zip(b).filter(|(x, y)| !((*x - *y).abs() <= tolerance)).count()
+}
+
+/// Parts per million.
+pub fn ppm(count: usize, of: usize) -> f64 {
+    count as f64 * 1e6 / of.max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_changed_value_on_either_side_is_seen() {
+        assert_eq!(count_different(&[0.0, 1.0], &[0.0, 1.0], 0.0), 0);
+        assert_eq!(count_different(&[0.0, 0.5], &[0.0, 1.0], 0.1), 1);
+        assert_eq!(count_different(&[0.0, 1.0], &[0.0, 0.5], 0.1), 1);
+    }
+
+    #[test]
+    fn nan_matches_nothing() {
+        assert_eq!(count_different(&[f32::NAN], &[f32::NAN], 1e9), 1);
+        assert_eq!(count_different(&[0.0], &[f32::NAN], 1e9), 1);
+    }
+
+    #[test]
+    #[should_panic(expected = "lengths differ")]
+    fn unequal_lengths_are_refused() {
+        count_different(&[0.0], &[], 0.0);
+    }
+
+    #[test]
+    #[should_panic(expected = "nothing to compare")]
+    fn an_empty_comparison_is_refused() {
+        count_different(&[], &[], 0.0);
+    }
+}

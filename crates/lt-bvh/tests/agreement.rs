@@ -24,7 +24,11 @@ fn rays_of_all_kinds(count: usize, seed: u64) -> Vec<Ray> {
             _ => rng.direction() * rng.range(0.01, 100.0),
         };
         let ray = Ray::new(origin, direction);
-        if i % 5 == 0 { Ray { tmin: rng.range(0.0, 0.5), tmax: rng.range(0.3, 2.0), ..ray } } else { ray }
+        if i.is_multiple_of(5) {
+            Ray { tmin: rng.range(0.0, 0.5), tmax: rng.range(0.3, 2.0), ..ray }
+        } else {
+            ray
+        }
     };
     (0..count).map(ray).collect()
 }
@@ -64,7 +68,7 @@ fn assert_agreement<'a, A: AnyHit>(
     let blocked: Vec<bool> = expected.iter().map(Hit::is_hit).collect();
     assert_eq!(occluded(scalar, rays, any_hit), blocked, "occluded and closest of the kernel");
     for level in SimdLevel::available() {
-        let simd = simd().with_level(level).unwrap();
+        let simd = simd().with_level(level).expect("an available level");
         let what = format!("{level:?}");
         assert_same_hits(&closest(&simd, rays, any_hit), &expected, rays, &what);
         assert!(occluded(&simd, rays, any_hit) == blocked, "{what} occluded");
@@ -191,7 +195,7 @@ fn placements(count: usize, meshes: u32, seed: u64) -> Vec<Placement> {
     let mut rng = Rng::new(seed);
     let placement = |i: usize| {
         let mut scale = Vec3::new(rng.range(0.05, 0.4), rng.range(0.05, 0.4), rng.range(0.05, 0.4));
-        if i % 3 == 0 {
+        if i.is_multiple_of(3) {
             scale.x = -scale.x;
         }
         let rotation = Quat::from_axis_angle(rng.direction(), rng.range(0.0, 6.0));

@@ -71,10 +71,11 @@ fn gpu(out: &mut impl Write) -> anyhow::Result<()> {
             writeln!(out, "    {name}: {}", crate::numbers::grouped(*value))?;
         }
     }
-    let modules = lt_render::gpu::shader_modules();
+    let modules = lt_render::gpu::MODULES;
     writeln!(out, "\nshader modules: {}", modules.len())?;
-    for (name, entry, bytes) in modules {
-        writeln!(out, "  {name} · {entry} · {} bytes", crate::numbers::grouped(bytes as u64))?;
+    for module in modules {
+        let bytes = crate::numbers::grouped(module.spirv.len() as u64);
+        writeln!(out, "  {} · {} · {bytes} bytes", module.name, module.entry_point)?;
     }
     Ok(())
 }

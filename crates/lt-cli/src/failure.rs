@@ -26,8 +26,17 @@ pub fn report(error: &anyhow::Error) -> ExitCode {
     if is_closed_pipe {
         return ExitCode::SUCCESS;
     }
-    eprintln!("error: {error:#}");
+    eprintln!("error: {}", words(error));
     ExitCode::from(if is_usage(error) { 2 } else { 1 })
+}
+
+/// The error and its causes, leaving out a cause that the text before it already tells.
+fn words(error: &anyhow::Error) -> String {
+    error.chain().map(ToString::to_string).fold(String::new(), |text, cause| match text.as_str() {
+        "" => cause,
+        told if told.contains(&cause) => text,
+        _ => format!("{text}: {cause}"),
+    })
 }
 
 fn is_usage(error: &anyhow::Error) -> bool {
@@ -39,6 +48,13 @@ fn is_usage(error: &anyhow::Error) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn nothing_is_told_twice() {
+        let source = io::Error::other("gone");
+        let error = anyhow::Error::from(SceneError::Io { path: "a.glb".into(), source }).context("scene");
+        assert_eq!(words(&error), "scene: a.glb: gone");
+    }
 
     #[test]
     fn bad_requests_and_failed_runs_differ() {

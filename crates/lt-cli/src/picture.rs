@@ -67,9 +67,8 @@ mod tests {
     #[test]
     fn png_gives_the_pixels_back() {
         for alpha in [255, 7] {
-            let pixels =
-                vec![[1, 2, 3, 255], [4, 5, 6, 255], [7, 8, 9, alpha], [0, 0, 0, 255], [9; 4], [255; 4]];
-            let picture = Picture::new([3, 2], pixels[..6].to_vec());
+            let pixels = [[1, 2, 3, 255], [4, 5, 6, 255], [7, 8, 9, alpha], [0, 0, 0, 255], [9; 4], [255; 4]];
+            let picture = Picture::new([3, 2], pixels.to_vec());
             let read = image::load_from_memory(&picture.to_png().unwrap()).unwrap().to_rgba8();
             assert_eq!(read.dimensions(), (3, 2));
             assert_eq!(read.into_raw(), picture.pixels.as_flattened());

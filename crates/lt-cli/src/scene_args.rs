@@ -53,7 +53,7 @@ pub struct SceneArgs {
     #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Scene")]
     pub seed: u64,
     /// Shadow map resolution, a multiple of 64 [default: 2048]
-    #[arg(long, value_name = "N", help_heading = "Techniques")]
+    #[arg(long, value_name = "N", value_parser = values::map_size, help_heading = "Techniques")]
     pub map_size: Option<u32>,
     /// ε of the leak tracing techniques whose id does not set it [default: 0.01]
     #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = values::epsilon, help_heading = "Techniques")]

@@ -5,7 +5,7 @@ use lt_render::Technique;
 
 /// Most pixels of a picture: 8K.
 const MAX_PIXELS: u64 = 7680 * 4320;
-/// Longest side of a picture.
+/// Longest side of a picture or a shadow map.
 const MAX_SIDE: u32 = 16384;
 
 /// A finite number.
@@ -67,6 +67,14 @@ pub fn size(text: &str) -> Result<UVec2, String> {
         return Err(format!("more than {MAX_PIXELS} pixels (7680x4320)"));
     }
     Ok(UVec2::new(width, height))
+}
+
+/// A shadow map resolution.
+pub fn map_size(text: &str) -> Result<u32, String> {
+    match text.parse() {
+        Ok(size) if (64..=MAX_SIDE).contains(&size) && size.is_multiple_of(64) => Ok(size),
+        _ => Err(format!("must be a multiple of 64 from 64 to {MAX_SIDE}")),
+    }
 }
 
 /// A ground square: its height and, unless it should fit the scene, half its side.
@@ -161,6 +169,12 @@ mod tests {
         for text in ["0x5", "5x0", "16385x1", "16384x16384", "12", "x", "-1x5", "99999999999x1"] {
             assert!(size(text).is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn map_sizes_are_multiples_of_64() {
+        assert_eq!((map_size("64"), map_size("16384")), (Ok(64), Ok(16384)));
+        assert!(["0", "100", "16448", "-64", "x"].into_iter().all(|text| map_size(text).is_err()));
     }
 
     #[test]

@@ -1,4 +1,5 @@
 //! The command as a user meets it: exit codes, messages, files.
+#![allow(clippy::unwrap_used, reason = "helpers of tests are tests too")]
 
 use std::{
     path::Path,
@@ -28,7 +29,7 @@ fn bad_usage_exits_with_2_and_names_option_and_value() {
         (&["compare", "--fov", "nan"], "--fov"),
         (&["compare", "--repeats", "0"], "--repeats"),
         (&["compare", "atlantis"], "atlantis"),
-        (&["compare", "cornell", "--size", "8x8", "--map-size", "100"], "100"),
+        (&["compare", "cornell", "--size", "8x8", "--map-size", "100"], "--map-size"),
         (&["render", "cornell", "--camera", "99"], "--camera 99"),
         (&["render", "cornell", "--out", "a.jpg"], "--out"),
         (&["dance"], "dance"),

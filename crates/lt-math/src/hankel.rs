@@ -3,7 +3,7 @@
 use crate::float;
 use glam::{Vec2, Vec3, Vec4};
 
-/// LDLᵀ factors of the matrix B with Bᵢⱼ = E[z^{i+j}], i, j = 0…2, built from moments E[z] … E[z⁴].
+/// LDLᵀ factors of the matrix B with Bᵢⱼ = `E[z^{i+j}]`, i, j = 0…2, built from moments `E[z]` … `E[z⁴]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HankelFactors {
     moments: Vec4,
@@ -16,7 +16,7 @@ pub struct HankelFactors {
 }
 
 impl HankelFactors {
-    /// Factorises the matrix of `moments` = (E[z], E[z²], E[z³], E[z⁴]).
+    /// Factorises the matrix of `moments` = (`E[z]`, `E[z²]`, `E[z³]`, `E[z⁴]`).
     #[inline]
     pub fn new(moments: Vec4) -> Self {
         let b = moments;
@@ -35,7 +35,8 @@ impl HankelFactors {
 
     /// Whether all mass lies on the depths 0 and 1, most of it on 1 (the clear value): the matrix is then singular.
     ///
-    /// E[z] = E[z⁴] says so, exactly even in f32 and after biasing. The lit fraction is then E[z] for depths in (0, 1].
+    /// The first moment equals the fourth then, exactly even in f32 and after biasing, and is the lit fraction for every
+    /// depth in (0, 1\].
     /// Mass on the near plane is left unsolved: a receiver there would be a shadow claimed over one rounding.
     #[inline]
     pub fn is_mostly_background(&self) -> bool {
@@ -76,7 +77,7 @@ impl HankelFactors {
 }
 
 /// The mass that the canonical distribution on the support {`at`, `u`, `v`} with the given moments puts on `at`:
-/// E[(x−u)(x−v)] / ((at−u)(at−v)).
+/// `E[(x−u)(x−v)]` / ((at−u)(at−v)).
 #[inline]
 pub fn mass_at(moments: Vec4, at: f32, u: f32, v: f32) -> f32 {
     (moments.y - moments.x * (u + v) + u * v) / ((at - u) * (at - v))

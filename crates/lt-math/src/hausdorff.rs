@@ -19,19 +19,24 @@ pub fn upper_bound(factors: &HankelFactors, receiver_depth: f32) -> f32 {
     } else if float::is_nan(others.x) {
         others.x
     } else {
-        endpoint_upper_bound(factors, d)
+        // In exact numbers the second is never smaller; near the ends of [0, 1] rounding may spoil the first.
+        float::min(endpoint_upper_bound(factors, d), hamburger::upper_bound(factors, d))
     }
 }
 
-/// Below this, E[x(x−1)(x−d)] is rounding: nothing lies strictly between the support's other depths 0, d and 1.
+/// Below this, `E[x(x−1)(x−d)]` is rounding: nothing lies strictly between the support's other depths 0, d and 1.
 ///
 /// 2⁻²¹, eight roundings of numbers up to 1. A footprint whose depths all equal d, biased, gives exactly 0.
 const INNER_NOISE: f32 = 4.768_371_6e-7;
 
+/// Receivers nearer than this are left to the Hamburger bound: the mass on depth 0 is rounding over d, here half of LTT's
+/// ε.
+const NEAREST_DEPTH: f32 = 1.0e-4;
+
 /// The bound where the unrestricted extreme case would leave [0, 1]: its support is then {0, inner, d, 1} instead.
 fn endpoint_upper_bound(factors: &HankelFactors, d: f32) -> f32 {
     let b = factors.moments();
-    if d <= 0.0 {
+    if d < NEAREST_DEPTH {
         return 1.0;
     }
     // p(x) = x(x−1)(x−d) vanishes on all but `inner`, so that E[x·p(x)] = inner·E[p(x)].

@@ -116,7 +116,7 @@ impl Session {
     /// # Errors
     /// As [`Session::render`].
     pub fn render_plan(&mut self, technique: &Technique, plan: EffectPlan) -> Result<Frame, RenderError> {
-        let job = self.job(technique, plan);
+        let job = self.job_of(technique, plan);
         self.backend.begin(&job)?;
         for kind in job.plan.passes() {
             self.backend.pass(kind, &job)?;
@@ -140,7 +140,12 @@ impl Session {
         self.backend.shade(visibility, &params)
     }
 
-    fn job(&self, technique: &Technique, plan: EffectPlan) -> FrameJob {
+    /// What the passes of a technique need, for callers that record them themselves.
+    pub fn job(&self, technique: &Technique) -> FrameJob {
+        self.job_of(technique, self.plan(technique))
+    }
+
+    fn job_of(&self, technique: &Technique, plan: EffectPlan) -> FrameJob {
         let map_size = technique.map_size.unwrap_or(self.setup.map_size);
         let fit = self.light_fit(map_size);
         let test = technique.map_test().map_or(Vec4::ZERO, |(test, _)| test_params(test));

@@ -22,8 +22,11 @@ impl Bounds {
         self.min.cmpgt(self.max).any()
     }
 
-    /// The smallest box that also holds `p`.
+    /// The smallest box that also holds `p`; a point that is not finite is ignored.
     pub fn including(self, p: Vec3) -> Self {
+        if !p.is_finite() {
+            return self;
+        }
         Self { min: self.min.min(p), max: self.max.max(p) }
     }
 

@@ -220,3 +220,69 @@ fn check_box(node: &Node, at: u32, slot: u32, under: &Bounds) -> Result<(), Inva
     let is_contained = under.low.as_dvec3().cmpge(low).all() && under.high.as_dvec3().cmple(high).all();
     if is_contained { Ok(()) } else { Err(Invalid::NotContained { node: at, slot }) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::build::{BuildQuality, Bvh};
+    use lt_math::glam::Vec3;
+
+    /// Nodes and boxes of a small valid tree of several levels.
+    fn tree() -> (Vec<Node>, Vec<Bounds>) {
+        let positions: Vec<Vec3> = (0..600)
+            .map(|i| {
+                Vec3::new((i / 3 % 10) as f32, (i / 30) as f32, 0.0) + [Vec3::ZERO, Vec3::X, Vec3::Y][i % 3]
+            })
+            .collect();
+        let indices: Vec<[u32; 3]> = (0..200).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let bvh = Bvh::build(&positions, &indices, |_| true, BuildQuality::Fast).unwrap();
+        assert!(bvh.depth() > 2);
+        let boxes = bvh.triangles().iter().map(crate::build::triangle_bounds).collect();
+        (bvh.nodes().to_vec(), boxes)
+    }
+
+    #[test]
+    fn each_broken_promise_is_found_and_named() {
+        let (nodes, boxes) = tree();
+        assert_eq!(validate_tree(&nodes, &boxes), Ok(()));
+        assert_eq!(validate_tree(&[], &boxes), Err(Invalid::NoRoot));
+        assert!(matches!(validate_tree(&nodes[..1], &boxes), Err(Invalid::NodeOutOfRange { node: 0, .. })));
+        assert!(matches!(validate_tree(&nodes, &boxes[..199]), Err(Invalid::PrimitiveOutOfRange { .. })));
+        let broken = |change: &dyn Fn(&mut Vec<Node>, &mut Vec<Bounds>)| {
+            let (mut nodes, mut boxes) = (nodes.clone(), boxes.clone());
+            change(&mut nodes, &mut boxes);
+            validate_tree(&nodes, &boxes).unwrap_err()
+        };
+        let cycle = broken(&|nodes, _| nodes[0].links.x = 0);
+        assert_eq!(cycle, Invalid::VisitedTwice { node: 0 });
+        let lost = nodes.len() as u32;
+        let unreachable = broken(&|nodes, _| nodes.push(Node::default()));
+        assert_eq!(unreachable, Invalid::Unreachable { node: lost });
+        let not_held = broken(&|_, boxes| boxes.push(boxes[0]));
+        assert_eq!(not_held, Invalid::NotHeld { primitive: 200 });
+        let small = broken(&|nodes, _| nodes[0].y = UVec4::ZERO);
+        assert!(matches!(small, Invalid::NotContained { .. }));
+        let moved = broken(&|_, boxes| boxes[17].high.x += 100.0);
+        assert!(matches!(moved, Invalid::NotContained { .. }));
+        let malformed = broken(&|nodes, _| nodes[0].links.z |= 0b0101_0000);
+        assert!(matches!(malformed, Invalid::BadChild { node: 0, .. }));
+        let twice = broken(&|nodes, boxes| {
+            boxes.fill(Bounds::EMPTY);
+            nodes.iter_mut().for_each(|n| n.links.y = 0);
+        });
+        assert!(matches!(twice, Invalid::HeldTwice { .. }));
+    }
+
+    #[test]
+    fn a_tree_deeper_than_the_stack_is_found() {
+        let mut nodes = vec![Node::default(); MAX_DEPTH + 1];
+        for (i, node) in nodes.iter_mut().enumerate().take(MAX_DEPTH) {
+            node.frame.w = 1 << 24;
+            node.links = UVec4::new(i as u32 + 1, 0, 0b0010_0000 | 24, 0);
+        }
+        assert_eq!(validate_tree(&nodes, &[]), Err(Invalid::TooDeep { node: MAX_DEPTH as u32 }));
+        nodes.truncate(MAX_DEPTH);
+        nodes[MAX_DEPTH - 1] = Node::default();
+        assert_eq!(validate_tree(&nodes, &[]), Ok(()));
+    }
+}

@@ -436,12 +436,12 @@ pub(crate) fn occluded_instanced<L: Lanes, A: AnyHit>(
         return false;
     }
     let slab = Slab::new(&ray, scene.tlas.low, scene.tlas.high);
-    if scratch.blocker != NONE {
-        if let Some((part, prepared)) = scene.enter(lanes, &slab, &ray, ray.tmax, scratch.blocking_instance) {
-            if prepared.is_blocked_by(lanes, part, scratch.blocker, any_hit) {
-                return true;
-            }
-        }
+    let last = scratch.blocker;
+    if last != NONE
+        && let Some((part, prepared)) = scene.enter(lanes, &slab, &ray, ray.tmax, scratch.blocking_instance)
+        && prepared.is_blocked_by(lanes, part, last, any_hit)
+    {
+        return true;
     }
     let boxes = BoxRay::new(lanes, &slab, scene.tlas.base, ray.tmin);
     let tmax = lanes.splat(ray.tmax);

@@ -84,7 +84,7 @@ impl Mesh {
     }
 
     pub fn build(&self, quality: lt_bvh::BuildQuality) -> Bvh {
-        Bvh::build(&self.positions, &self.indices, |i| self.is_opaque[i], quality).unwrap()
+        Bvh::build(&self.positions, &self.indices, |i| self.is_opaque[i], quality).expect("indices in range")
     }
 }
 

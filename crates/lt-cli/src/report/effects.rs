@@ -23,10 +23,13 @@ struct Case {
     techniques: String,
 }
 
+/// An effect as one plan states it, and the ids of the techniques whose plans say the same.
+type Agreement<'a> = (&'a Effect, Vec<String>);
+
 impl EffectTable {
     /// Groups the plans of `rows`.
     pub fn of(rows: &[Row]) -> Self {
-        let mut groups: Vec<(&'static str, Vec<(&Effect, Vec<String>)>)> = Vec::new();
+        let mut groups: Vec<(&'static str, Vec<Agreement>)> = Vec::new();
         for row in rows {
             for effect in &row.plan.effects {
                 let at = groups.iter().position(|g| g.0 == effect.name).unwrap_or_else(|| {
@@ -41,9 +44,9 @@ impl EffectTable {
                 }
             }
         }
-        let group = |(name, cases): (&'static str, Vec<(&Effect, Vec<String>)>)| {
+        let group = |(name, cases): (&'static str, Vec<Agreement>)| {
             let is_shared = cases.len() == 1 && cases[0].1.len() == rows.len();
-            let case = |(effect, ids): (&Effect, Vec<String>)| Case {
+            let case = |(effect, ids): Agreement| Case {
                 is_on: effect.is_on,
                 reason: effect.reason.clone(),
                 cost: effect.cost.clone(),

@@ -93,19 +93,20 @@ proptest! {
             both(MsmHamburger::default(), layer, w, d), both(MsmHausdorff::default(), layer, w, d),
         ];
         for (i, v) in answers(behind).into_iter().flatten().enumerate() {
-            prop_assert!(v <= LTT_EPSILON || v.is_nan(), "{i}: {v} behind");
+            let may_doubt = i >= 10;
+            prop_assert!(v <= LTT_EPSILON || may_doubt && needs_ray(v, LTT_EPSILON), "{i}: {v} behind");
         }
         for (i, v) in answers((z - gap).max(0.0)).into_iter().flatten().enumerate() {
-            prop_assert!(v >= 1.0 - LTT_EPSILON || v.is_nan(), "{i}: {v} in front");
+            let may_doubt = i >= 10;
+            prop_assert!(v >= 1.0 - LTT_EPSILON || may_doubt && needs_ray(v, LTT_EPSILON), "{i}: {v} in front");
         }
     }
 
     #[test]
     fn the_interval_bound_is_never_above_the_line_bound(z in depths(), w in weights(), d in depth()) {
-        // 0.02 at a bias of 1e-3: what ill conditioning makes of 2⁻²⁴ where a companion nears an end of [0, 1].
-        let line = filtered(MsmHamburger { moment_bias: 1e-3 }, z, w, d);
-        let interval = filtered(MsmHausdorff { moment_bias: 1e-3 }, z, w, d);
-        prop_assert!(line.is_nan() || interval.is_nan() || interval <= line + 0.02, "{interval} {line}");
+        let line = filtered(MsmHamburger::default(), z, w, d);
+        let interval = filtered(MsmHausdorff::default(), z, w, d);
+        prop_assert!(line.is_nan() || interval.is_nan() || interval <= line, "{interval} {line}");
     }
 
     #[test]

@@ -1,0 +1,7 @@
+//! Cross-crate tests in one binary.
+
+mod effects;
+mod hard;
+mod laws;
+mod real_scenes;
+mod twin;

@@ -1,0 +1,173 @@
+//! CPU and GPU compute the same pictures from the same functions.
+
+use lt_render::{Session, Setup, Technique};
+use lt_tests::{TWIN_PPM, builtin, count_different, cpu_session, gpu_session, ppm};
+
+/// Scenes that between them have: one flat tree; textures; alpha test; instances; instances with alpha test.
+const SCENES: [&str; 4] = ["cornell", "street:4", "square:6", "forest:12"];
+
+fn pair(name: &str, width: u32, height: u32) -> Option<(Session, Session)> {
+    let scene = builtin(name);
+    let setup = Setup { map_size: 512, ..Setup::for_scene(&scene, width, height) };
+    let gpu = gpu_session(&scene, setup.clone())?;
+    let cpu = Session::new(&scene, setup, lt_render::BackendKind::Cpu).expect("CPU session");
+    Some((cpu, gpu))
+}
+
+#[test]
+fn visible_samples_agree() {
+    for name in SCENES {
+        let Some((cpu, gpu)) = pair(name, 320, 200) else { return };
+        let flat = |s: &Session| -> Vec<f32> {
+            s.samples().iter().flat_map(|s| s.position.to_array().into_iter().chain(s.normal.to_array())).collect()
+        };
+        let (a, b) = (flat(&cpu), flat(&gpu));
+        let extent = a.iter().fold(0f32, |m, x| m.max(x.abs()));
+        let wrong = count_different(&a, &b, extent * 1e-5);
+        assert!(ppm(wrong, a.len()) <= TWIN_PPM, "{name}: {wrong} of {} numbers differ", a.len());
+    }
+}
+
+#[test]
+fn every_technique_agrees() {
+    for name in SCENES {
+        let Some((mut cpu, mut gpu)) = pair(name, 320, 200) else { return };
+        let pixels = cpu.samples().len();
+        let mut techniques: Vec<Technique> = Technique::catalogue().into_iter().map(|t| t.0).collect();
+        techniques.extend(["ltt-vsm:prefiltered", "ltt-evsm:prefiltered", "msm:prefiltered", "esm:prefiltered"]
+            .map(|id| id.parse().expect("a known id")));
+        for technique in techniques {
+            let a = cpu.render(&technique).expect("CPU frame");
+            let b = gpu.render(&technique).expect("GPU frame");
+            // Soft estimates may differ a little where a depth differs in its last bit; a decision may not.
+            let wrong = a.visibility.iter().zip(&b.visibility).filter(|(x, y)| (**x >= 0.5) != (**y >= 0.5)).count();
+            let doubts = a.doubt.iter().zip(&b.doubt).filter(|(x, y)| x != y).count();
+            // 64,000 pixels: 20 ppm is one pixel, so allow what the bound means at 1080p per edge pixel instead.
+            let allowed = (pixels as f64 * TWIN_PPM * 1e-6).max(8.0) as usize;
+            assert!(wrong <= allowed, "{name} {technique}: {wrong} visibilities differ");
+            assert!(doubts <= allowed, "{name} {technique}: {doubts} doubts differ");
+            assert_eq!(a.passes.iter().map(|p| p.kind).collect::<Vec<_>>(), b.passes.iter().map(|p| p.kind).collect::<Vec<_>>());
+            assert!(a.rays.abs_diff(b.rays) as usize <= allowed, "{name} {technique}: rays {} and {}", a.rays, b.rays);
+            assert_eq!(a.map_bytes, b.map_bytes, "{name} {technique}");
+        }
+    }
+}
+
+#[test]
+fn shaded_pictures_agree_to_the_byte_nearly_everywhere() {
+    let Some((mut cpu, mut gpu)) = pair("street:4", 320, 200) else { return };
+    let visibility = cpu.render(&Technique::RAY).expect("frame").visibility;
+    let (a, b) = (cpu.shade(&visibility).expect("picture"), gpu.shade(&visibility).expect("picture"));
+    let flat = |p: &[[u8; 4]]| p.iter().flatten().map(|v| f32::from(*v)).collect::<Vec<_>>();
+    let wrong = count_different(&flat(&a), &flat(&b), 1.0);
+    assert!(ppm(wrong, a.len() * 4) <= TWIN_PPM * 5.0, "{wrong} bytes differ by more than one step");
+}
+
+#[test]
+fn the_cpu_gives_the_same_bits_for_any_number_of_threads() {
+    let scene = builtin("square:6");
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("pool");
+        pool.install(|| {
+            let mut session = cpu_session(&scene, 200, 120);
+            let frame = session.render(&"ltt-evsm".parse().expect("id")).expect("frame");
+            (frame.visibility.iter().map(|v| v.to_bits()).collect::<Vec<_>>(), frame.rays)
+        })
+    };
+    let one = run(1);
+    assert_eq!(one, run(2));
+    assert_eq!(one, run(7));
+}
+
+/// The recorder on somebody else's device, queue, textures and encoder.
+#[test]
+fn an_engine_can_record_into_its_own_encoder() {
+    use lt_math::glam::UVec2;
+    use lt_render::gpu::{Recorder, open};
+    let Ok((_, device, queue)) = open() else {
+        assert!(std::env::var_os(lt_tests::REQUIRE_GPU).is_none(), "no adapter");
+        eprintln!("skipped: no GPU adapter");
+        return;
+    };
+    let scene = builtin("cornell");
+    let mut session = cpu_session(&scene, 64, 48);
+    let truth = session.render(&Technique::RAY).expect("frame").visibility;
+    let packed = lt_render::PackedScene::new(&scene).expect("packed");
+    let size = UVec2::new(64, 48);
+    let texels = |f: &dyn Fn(&lt_render::Sample) -> [f32; 4]| session.samples().iter().map(f).collect::<Vec<_>>();
+    let positions = texels(&|s| s.position.extend(s.magnitude).to_array());
+    let normals = texels(&|s| s.normal.extend(0.0).to_array());
+    let texture = |data: &[[f32; 4]]| upload(&device, &queue, size, data);
+    let (positions, normals) = (texture(&positions), texture(&normals));
+
+    let mut recorder = Recorder::new(&device);
+    let gpu_scene = recorder.upload(&packed).expect("fits");
+    let mut frame = recorder.frame_buffers(size).expect("fits");
+    let job = session.job(&Technique::RAY);
+    recorder.prepare(&mut frame, &job).expect("fits");
+    let target = device.create_texture(&wgpu::TextureDescriptor {
+        label: None,
+        size: wgpu::Extent3d { width: 64, height: 48, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::R32Float,
+        usage: wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    recorder.import_gbuffer(&mut encoder, &frame, &positions, &normals).expect("recorded");
+    for kind in job.plan.passes() {
+        recorder.pass(&mut encoder, &gpu_scene, &frame, kind, &job).expect("recorded");
+    }
+    let view = target.create_view(&wgpu::TextureViewDescriptor::default());
+    recorder.export_visibility(&mut encoder, &frame, &view).expect("recorded");
+    let result = download(&device, &queue, encoder, &target);
+    assert_eq!(count_different(&truth, &result, 0.0), 0);
+}
+
+fn upload(device: &wgpu::Device, queue: &wgpu::Queue, size: lt_math::glam::UVec2, data: &[[f32; 4]]) -> wgpu::TextureView {
+    use wgpu::util::DeviceExt;
+    let bytes: Vec<u8> = data.iter().flatten().flat_map(|f| f.to_le_bytes()).collect();
+    let descriptor = wgpu::TextureDescriptor {
+        label: None,
+        size: wgpu::Extent3d { width: size.x, height: size.y, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba32Float,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    };
+    let texture = device.create_texture_with_data(queue, &descriptor, wgpu::util::TextureDataOrder::LayerMajor, &bytes);
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+fn download(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    mut encoder: wgpu::CommandEncoder,
+    texture: &wgpu::Texture,
+) -> Vec<f32> {
+    let size = texture.size();
+    let row = size.width * 4;
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: u64::from(row * size.height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None },
+        },
+        size,
+    );
+    queue.submit([encoder.finish()]);
+    buffer.map_async(wgpu::MapMode::Read, .., |_| {});
+    device.poll(wgpu::PollType::wait_indefinitely()).expect("the device answers");
+    let view = buffer.get_mapped_range(..).expect("mapped");
+    view.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
+}
