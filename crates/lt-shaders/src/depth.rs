@@ -2,6 +2,7 @@
 
 use lt_bvh::{Instance, Triangle};
 use lt_math::LightProjection;
+use lt_math::float::dot4;
 use lt_math::glam::{Vec2, Vec3, Vec4};
 
 /// Corner 0, 1 or 2 of a triangle.
@@ -24,16 +25,16 @@ pub fn placed_corner(triangle: &Triangle, index: u32, instance: &Instance) -> Ve
 /// [0, 1]); naga turns y over where an API wants it up.
 pub fn clip_position(projection: &LightProjection, world: Vec3) -> Vec4 {
     let p = world.extend(1.0);
-    let w = projection.row_w.dot(p);
-    let (x, y) = (projection.row_x.dot(p), projection.row_y.dot(p));
-    Vec4::new(2.0 * x - w, 2.0 * y - w, projection.row_z.dot(p) * w, w)
+    let w = dot4(projection.row_w, p);
+    let (x, y) = (dot4(projection.row_x, p), dot4(projection.row_y, p));
+    Vec4::new(2.0 * x - w, 2.0 * y - w, dot4(projection.row_z, p) * w, w)
 }
 
 /// Position in texels for the software rasteriser: x right, y down, z the depth. Orthographic maps only.
 pub fn map_position(projection: &LightProjection, world: Vec3, map_size: u32) -> Vec3 {
     let p = world.extend(1.0);
     let size = map_size as f32;
-    Vec3::new(projection.row_x.dot(p) * size, projection.row_y.dot(p) * size, projection.row_z.dot(p))
+    Vec3::new(dot4(projection.row_x, p) * size, dot4(projection.row_y, p) * size, dot4(projection.row_z, p))
 }
 
 /// Barycentric weights of a point of the map in a projected triangle (texels), from edge functions; a degenerate
