@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -21,11 +13,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -40,11 +40,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -81,7 +81,7 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_41 {
+struct type_37 {
     member: array<abi_Sample>,
 }
 
@@ -98,7 +98,7 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct type_50 {
+struct type_45 {
     member: abi_CameraParams,
 }
 
@@ -110,7 +110,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_55 {
+struct type_50 {
     member: array<lt_bvh_Node>,
 }
 
@@ -142,1910 +142,2181 @@ struct lt_bvh_triangle_Intersection {
 }
 
 @group(0) @binding(3) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(4) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_50;
+var<uniform> p: type_45;
 @group(0) @binding(1) 
-var<storage> nodes: type_55;
+var<storage> nodes: type_50;
 @group(0) @binding(2) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_41;
+var<storage, read_write> samples: type_37;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_22;
+var<storage> alpha_texels: type_20;
 @group(0) @binding(7) 
-var<storage> color_texels: type_22;
+var<storage> color_texels: type_20;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e78 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e78), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e78), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e78), (f32((param >> bitcast<u32>(24i))) * _e78));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_234_: f32;
+    var phi_239_: f32;
+    var phi_240_: bool;
+    var phi_241_: f32;
+    var phi_242_: bool;
+    var phi_246_: f32;
+    var phi_272_: f32;
+    var phi_277_: f32;
+    var phi_278_: bool;
+    var phi_279_: f32;
+    var phi_280_: bool;
+    var phi_284_: f32;
+    var phi_292_: f32;
+    var phi_293_: f32;
+    var phi_294_: f32;
+    var phi_303_: f32;
+    var phi_304_: f32;
+    var phi_322_: u32;
+    var phi_336_: u32;
+    var phi_343_: u32;
+    var phi_348_: u32;
+    var phi_354_: u32;
+    var phi_359_: u32;
+    var phi_361_: texture_Axis;
+    var phi_389_: f32;
+    var phi_394_: f32;
+    var phi_395_: bool;
+    var phi_396_: f32;
+    var phi_397_: bool;
+    var phi_401_: f32;
+    var phi_427_: f32;
+    var phi_432_: f32;
+    var phi_433_: bool;
+    var phi_434_: f32;
+    var phi_435_: bool;
+    var phi_439_: f32;
+    var phi_447_: f32;
+    var phi_448_: f32;
+    var phi_449_: f32;
+    var phi_458_: f32;
+    var phi_459_: f32;
+    var phi_477_: u32;
+    var phi_491_: u32;
+    var phi_498_: u32;
+    var phi_503_: u32;
+    var phi_509_: u32;
+    var phi_514_: u32;
+    var phi_516_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e68 = (*param_1)[0u].color;
-    let _e69 = lt_shaders_texture_unorm_bytes(_e68);
-    let _e81 = (*param_1)[1u].color;
-    let _e82 = lt_shaders_texture_unorm_bytes(_e81);
-    let _e98 = (*param_1)[2u].color;
-    let _e99 = lt_shaders_texture_unorm_bytes(_e98);
-    return vec4<f32>((((_e69.x * param_2.x) + (_e82.x * param_2.y)) + (_e99.x * param_2.z)), (((_e69.y * param_2.x) + (_e82.y * param_2.y)) + (_e99.y * param_2.z)), (((_e69.z * param_2.x) + (_e82.z * param_2.y)) + (_e99.z * param_2.z)), (((_e69.w * param_2.x) + (_e82.w * param_2.y)) + (_e99.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e68 = (*param_3)[0u].u;
-    let _e71 = (*param_3)[0u].v;
-    let _e77 = (*param_3)[1u].u;
-    let _e80 = (*param_3)[1u].v;
-    let _e88 = (*param_3)[2u].u;
-    let _e91 = (*param_3)[2u].v;
-    return vec2<f32>((((_e68 * param_4.x) + (_e77 * param_4.y)) + (_e88 * param_4.z)), (((_e71 * param_4.x) + (_e80 * param_4.y)) + (_e91 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_476_: f32;
-    var phi_477_: f32;
-    var phi_478_: f32;
-    var phi_487_: f32;
-    var phi_488_: f32;
-
-    if (param_6 == 0u) {
-        phi_478_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e73 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e73 > 1f) {
-                phi_476_ = (2f - _e73);
+    let _e74 = (*param).size;
+    let _e75 = (_e74 & 65535u);
+    let _e77 = (*param).size;
+    let _e79 = (_e77 >> bitcast<u32>(16i));
+    let _e81 = (*param).flags;
+    let _e83 = ((_e81 & 4u) != 0u);
+    let _e85 = (*param).flags;
+    let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
+    if (_e88 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e101 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e101 > param_1) {
+                phi_234_ = 1f;
             } else {
-                phi_476_ = _e73;
+                phi_234_ = 0f;
             }
-            let _e77 = phi_476_;
-            phi_477_ = _e77;
+            let _e104 = phi_234_;
+            if (param_1 < 8388608f) {
+                phi_239_ = (_e101 - _e104);
+                phi_240_ = false;
+            } else {
+                phi_239_ = f32();
+                phi_240_ = true;
+            }
+            let _e107 = phi_239_;
+            let _e109 = phi_240_;
+            phi_241_ = _e107;
+            phi_242_ = _e109;
         } else {
-            phi_477_ = param_5;
+            phi_241_ = f32();
+            phi_242_ = true;
         }
-        let _e79 = phi_477_;
-        phi_478_ = _e79;
-    }
-    let _e81 = phi_478_;
-    if (_e81 > 0f) {
-        if (_e81 < 1f) {
-            phi_487_ = _e81;
+        let _e111 = phi_241_;
+        let _e113 = phi_242_;
+        if _e113 {
+            phi_246_ = param_1;
         } else {
-            phi_487_ = 1f;
+            phi_246_ = _e111;
         }
-        let _e85 = phi_487_;
-        phi_488_ = _e85;
+        let _e115 = phi_246_;
+        phi_294_ = (param_1 - _e115);
     } else {
-        phi_488_ = 0f;
-    }
-    let _e87 = phi_488_;
-    return _e87;
-}
-
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_414_: u32;
-    var phi_428_: u32;
-    var phi_435_: u32;
-    var phi_440_: u32;
-    var phi_446_: u32;
-    var phi_451_: u32;
-    var phi_453_: texture_Axis;
-
-    let _e68 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e69 = (param_8 - 1u);
-    let _e71 = (_e68 * f32(param_8));
-    if param_10 {
-        let _e78 = select(select(u32(_e71), 0u, (_e71 < bitcast<f32>(0u))), 4294967295u, (_e71 > bitcast<f32>(1333788671u)));
-        if (_e69 < _e78) {
-            phi_414_ = _e69;
+        if (_e88 == 1u) {
+            let _e118 = (param_1 * 0.5f);
+            if (_e118 > -8388608f) {
+                let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
+                if (_e130 > _e118) {
+                    phi_272_ = 1f;
+                } else {
+                    phi_272_ = 0f;
+                }
+                let _e133 = phi_272_;
+                if (_e118 < 8388608f) {
+                    phi_277_ = (_e130 - _e133);
+                    phi_278_ = false;
+                } else {
+                    phi_277_ = f32();
+                    phi_278_ = true;
+                }
+                let _e136 = phi_277_;
+                let _e138 = phi_278_;
+                phi_279_ = _e136;
+                phi_280_ = _e138;
+            } else {
+                phi_279_ = f32();
+                phi_280_ = true;
+            }
+            let _e140 = phi_279_;
+            let _e142 = phi_280_;
+            if _e142 {
+                phi_284_ = _e118;
+            } else {
+                phi_284_ = _e140;
+            }
+            let _e144 = phi_284_;
+            let _e146 = (param_1 - (2f * _e144));
+            if (_e146 > 1f) {
+                phi_292_ = (2f - _e146);
+            } else {
+                phi_292_ = _e146;
+            }
+            let _e150 = phi_292_;
+            phi_293_ = _e150;
         } else {
-            phi_414_ = _e78;
+            phi_293_ = param_1;
         }
-        let _e81 = phi_414_;
-        phi_453_ = texture_Axis(_e81, _e81, 0f);
+        let _e152 = phi_293_;
+        phi_294_ = _e152;
+    }
+    let _e154 = phi_294_;
+    if (_e154 > 0f) {
+        if (_e154 < 1f) {
+            phi_303_ = _e154;
+        } else {
+            phi_303_ = 1f;
+        }
+        let _e158 = phi_303_;
+        phi_304_ = _e158;
     } else {
-        let _e83 = (_e71 + 0.5f);
-        let _e90 = select(select(u32(_e83), 0u, (_e83 < bitcast<f32>(0u))), 4294967295u, (_e83 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e90) {
-            phi_428_ = param_8;
-        } else {
-            phi_428_ = _e90;
-        }
-        let _e93 = phi_428_;
-        if (param_9 == 0u) {
-            phi_435_ = _e69;
-        } else {
-            phi_435_ = 0u;
-        }
-        let _e98 = phi_435_;
-        if (param_9 == 0u) {
-            phi_440_ = 0u;
-        } else {
-            phi_440_ = _e69;
-        }
-        let _e101 = phi_440_;
-        if (_e93 == 0u) {
-            phi_446_ = _e98;
-        } else {
-            phi_446_ = (_e93 - 1u);
-        }
-        let _e105 = phi_446_;
-        if (_e93 > _e69) {
-            phi_451_ = _e101;
-        } else {
-            phi_451_ = _e93;
-        }
-        let _e108 = phi_451_;
-        phi_453_ = texture_Axis(_e105, _e108, (_e83 - f32(_e93)));
+        phi_304_ = 0f;
     }
-    let _e111 = phi_453_;
-    return _e111;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e68 = (*param_11).size;
-    let _e69 = (_e68 & 65535u);
-    let _e71 = (*param_11).size;
-    let _e75 = (*param_11).flags;
-    let _e77 = ((_e75 & 4u) != 0u);
-    let _e79 = (*param_11).flags;
-    let _e83 = lt_shaders_texture_axis(param_12, _e69, ((_e79 >> bitcast<u32>(4u)) & 3u), _e77);
-    let _e85 = (*param_11).flags;
-    let _e89 = lt_shaders_texture_axis(param_13, (_e71 >> bitcast<u32>(16i)), ((_e85 >> bitcast<u32>(6u)) & 3u), _e77);
-    let _e93 = (*param_11).offset;
-    let _e100 = (*param_11).offset;
-    let _e107 = (*param_11).offset;
-    let _e114 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e93 + (_e89.low * _e69)) + _e83.low), ((_e100 + (_e89.low * _e69)) + _e83.high), ((_e107 + (_e89.high * _e69)) + _e83.low), ((_e114 + (_e89.high * _e69)) + _e83.high)), vec4<f32>(((1f - _e83.fraction) * (1f - _e89.fraction)), (_e83.fraction * (1f - _e89.fraction)), ((1f - _e83.fraction) * _e89.fraction), (_e83.fraction * _e89.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_14: vec3<u32>, param_15: u32, param_16: u32) -> lt_bvh_traverse_Tree {
-    var phi_508_: lt_bvh_traverse_Tree;
-    var phi_509_: bool;
-    var phi_510_: lt_bvh_traverse_Tree;
-    var phi_511_: bool;
-    var phi_516_: lt_bvh_traverse_Tree;
-
-    if (param_14.x < param_15) {
-        if (param_14.y < param_16) {
-            phi_508_ = lt_bvh_traverse_Tree(1u, ((param_14.y * param_15) + param_14.x));
-            phi_509_ = false;
-        } else {
-            phi_508_ = lt_bvh_traverse_Tree();
-            phi_509_ = true;
-        }
-        let _e77 = phi_508_;
-        let _e79 = phi_509_;
-        phi_510_ = _e77;
-        phi_511_ = _e79;
-    } else {
-        phi_510_ = lt_bvh_traverse_Tree();
-        phi_511_ = true;
-    }
-    let _e81 = phi_510_;
-    let _e83 = phi_511_;
+    let _e160 = phi_304_;
+    let _e161 = (_e75 - 1u);
+    let _e163 = (_e160 * f32(_e75));
     if _e83 {
-        phi_516_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_516_ = _e81;
-    }
-    let _e88 = phi_516_;
-    return lt_bvh_traverse_Tree(_e88.root, _e88.first_primitive);
-}
-
-fn lt_shaders_shade_unit(param_17: f32) -> f32 {
-    var phi_530_: f32;
-    var phi_531_: f32;
-
-    if (param_17 > 0f) {
-        if (param_17 < 1f) {
-            phi_530_ = param_17;
+        let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
+        if (_e161 < _e170) {
+            phi_322_ = _e161;
         } else {
-            phi_530_ = 1f;
+            phi_322_ = _e170;
         }
-        let _e68 = phi_530_;
-        phi_531_ = _e68;
+        let _e173 = phi_322_;
+        phi_361_ = texture_Axis(_e173, _e173, 0f);
     } else {
-        phi_531_ = 0f;
+        let _e175 = (_e163 + 0.5f);
+        let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
+        if (_e75 < _e182) {
+            phi_336_ = _e75;
+        } else {
+            phi_336_ = _e182;
+        }
+        let _e185 = phi_336_;
+        if (_e88 == 0u) {
+            phi_343_ = _e161;
+        } else {
+            phi_343_ = 0u;
+        }
+        let _e190 = phi_343_;
+        if (_e88 == 0u) {
+            phi_348_ = 0u;
+        } else {
+            phi_348_ = _e161;
+        }
+        let _e193 = phi_348_;
+        if (_e185 == 0u) {
+            phi_354_ = _e190;
+        } else {
+            phi_354_ = (_e185 - 1u);
+        }
+        let _e197 = phi_354_;
+        if (_e185 > _e161) {
+            phi_359_ = _e193;
+        } else {
+            phi_359_ = _e185;
+        }
+        let _e200 = phi_359_;
+        phi_361_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
     }
-    let _e70 = phi_531_;
-    return _e70;
+    let _e203 = phi_361_;
+    let _e205 = (*param).flags;
+    let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
+    if (_e208 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e221 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e221 > param_2) {
+                phi_389_ = 1f;
+            } else {
+                phi_389_ = 0f;
+            }
+            let _e224 = phi_389_;
+            if (param_2 < 8388608f) {
+                phi_394_ = (_e221 - _e224);
+                phi_395_ = false;
+            } else {
+                phi_394_ = f32();
+                phi_395_ = true;
+            }
+            let _e227 = phi_394_;
+            let _e229 = phi_395_;
+            phi_396_ = _e227;
+            phi_397_ = _e229;
+        } else {
+            phi_396_ = f32();
+            phi_397_ = true;
+        }
+        let _e231 = phi_396_;
+        let _e233 = phi_397_;
+        if _e233 {
+            phi_401_ = param_2;
+        } else {
+            phi_401_ = _e231;
+        }
+        let _e235 = phi_401_;
+        phi_449_ = (param_2 - _e235);
+    } else {
+        if (_e208 == 1u) {
+            let _e238 = (param_2 * 0.5f);
+            if (_e238 > -8388608f) {
+                let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
+                if (_e250 > _e238) {
+                    phi_427_ = 1f;
+                } else {
+                    phi_427_ = 0f;
+                }
+                let _e253 = phi_427_;
+                if (_e238 < 8388608f) {
+                    phi_432_ = (_e250 - _e253);
+                    phi_433_ = false;
+                } else {
+                    phi_432_ = f32();
+                    phi_433_ = true;
+                }
+                let _e256 = phi_432_;
+                let _e258 = phi_433_;
+                phi_434_ = _e256;
+                phi_435_ = _e258;
+            } else {
+                phi_434_ = f32();
+                phi_435_ = true;
+            }
+            let _e260 = phi_434_;
+            let _e262 = phi_435_;
+            if _e262 {
+                phi_439_ = _e238;
+            } else {
+                phi_439_ = _e260;
+            }
+            let _e264 = phi_439_;
+            let _e266 = (param_2 - (2f * _e264));
+            if (_e266 > 1f) {
+                phi_447_ = (2f - _e266);
+            } else {
+                phi_447_ = _e266;
+            }
+            let _e270 = phi_447_;
+            phi_448_ = _e270;
+        } else {
+            phi_448_ = param_2;
+        }
+        let _e272 = phi_448_;
+        phi_449_ = _e272;
+    }
+    let _e274 = phi_449_;
+    if (_e274 > 0f) {
+        if (_e274 < 1f) {
+            phi_458_ = _e274;
+        } else {
+            phi_458_ = 1f;
+        }
+        let _e278 = phi_458_;
+        phi_459_ = _e278;
+    } else {
+        phi_459_ = 0f;
+    }
+    let _e280 = phi_459_;
+    let _e281 = (_e79 - 1u);
+    let _e283 = (_e280 * f32(_e79));
+    if _e83 {
+        let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
+        if (_e281 < _e290) {
+            phi_477_ = _e281;
+        } else {
+            phi_477_ = _e290;
+        }
+        let _e293 = phi_477_;
+        phi_516_ = texture_Axis(_e293, _e293, 0f);
+    } else {
+        let _e295 = (_e283 + 0.5f);
+        let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
+        if (_e79 < _e302) {
+            phi_491_ = _e79;
+        } else {
+            phi_491_ = _e302;
+        }
+        let _e305 = phi_491_;
+        if (_e208 == 0u) {
+            phi_498_ = _e281;
+        } else {
+            phi_498_ = 0u;
+        }
+        let _e310 = phi_498_;
+        if (_e208 == 0u) {
+            phi_503_ = 0u;
+        } else {
+            phi_503_ = _e281;
+        }
+        let _e313 = phi_503_;
+        if (_e305 == 0u) {
+            phi_509_ = _e310;
+        } else {
+            phi_509_ = (_e305 - 1u);
+        }
+        let _e317 = phi_509_;
+        if (_e305 > _e281) {
+            phi_514_ = _e313;
+        } else {
+            phi_514_ = _e305;
+        }
+        let _e320 = phi_514_;
+        phi_516_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
+    }
+    let _e323 = phi_516_;
+    let _e327 = (*param).offset;
+    let _e334 = (*param).offset;
+    let _e341 = (*param).offset;
+    let _e348 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
 }
 
-fn lt_shaders_shade_sqrt(param_18: f32) -> f32 {
-    return sqrt(param_18);
-}
-
-fn lt_shaders_shade_pack_bytes(param_19: vec3<f32>) -> u32 {
-    let _e67 = ((param_19.x * 255f) + 0.5f);
-    let _e77 = ((param_19.y * 255f) + 0.5f);
-    let _e90 = ((param_19.z * 255f) + 0.5f);
-    return ((select(select(u32(_e67), 0u, (_e67 < bitcast<f32>(0u))), 4294967295u, (_e67 > bitcast<f32>(1333788671u))) | (select(select(u32(_e77), 0u, (_e77 < bitcast<f32>(0u))), 4294967295u, (_e77 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e90), 0u, (_e90 < bitcast<f32>(0u))), 4294967295u, (_e90 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i)));
-}
-
-fn _lt_bvh_ray_Ray_new(param_20: vec3<f32>, param_21: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_20, 0f, param_21, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_22: f32, param_23: f32) -> f32 {
+fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
+    var phi_583_: lt_bvh_traverse_Tree;
+    var phi_584_: bool;
+    var phi_585_: lt_bvh_traverse_Tree;
     var phi_586_: bool;
-    var phi_590_: f32;
+    var phi_591_: lt_bvh_traverse_Tree;
 
-    if (param_22 != param_22) {
+    if (param_3.x < param_4) {
+        if (param_3.y < param_5) {
+            phi_583_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
+            phi_584_ = false;
+        } else {
+            phi_583_ = lt_bvh_traverse_Tree();
+            phi_584_ = true;
+        }
+        let _e83 = phi_583_;
+        let _e85 = phi_584_;
+        phi_585_ = _e83;
+        phi_586_ = _e85;
+    } else {
+        phi_585_ = lt_bvh_traverse_Tree();
         phi_586_ = true;
+    }
+    let _e87 = phi_585_;
+    let _e89 = phi_586_;
+    if _e89 {
+        phi_591_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        let _e67 = (param_23 >= param_22);
-        if _e67 {
+        phi_591_ = _e87;
+    }
+    let _e94 = phi_591_;
+    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+}
+
+fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
+}
+
+fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
+    var phi_610_: bool;
+    var phi_614_: f32;
+
+    if (param_8 != param_8) {
+        phi_610_ = true;
+    } else {
+        let _e73 = (param_9 >= param_8);
+        if _e73 {
         }
-        phi_586_ = _e67;
+        phi_610_ = _e73;
     }
-    let _e69 = phi_586_;
-    if _e69 {
-        phi_590_ = param_23;
+    let _e75 = phi_610_;
+    if _e75 {
+        phi_614_ = param_9;
     } else {
-        phi_590_ = param_22;
+        phi_614_ = param_8;
     }
-    let _e71 = phi_590_;
-    return _e71;
+    let _e77 = phi_614_;
+    return _e77;
 }
 
-fn core_intrinsics_minimum_number_nsz_f32_(param_24: f32, param_25: f32) -> f32 {
-    var phi_602_: bool;
-    var phi_606_: f32;
+fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
+    var phi_626_: bool;
+    var phi_630_: f32;
 
-    if (param_24 != param_24) {
-        phi_602_ = true;
+    if (param_10 != param_10) {
+        phi_626_ = true;
     } else {
-        let _e67 = (param_25 <= param_24);
-        if _e67 {
+        let _e73 = (param_11 <= param_10);
+        if _e73 {
         }
-        phi_602_ = _e67;
+        phi_626_ = _e73;
     }
-    let _e69 = phi_602_;
-    if _e69 {
-        phi_606_ = param_25;
+    let _e75 = phi_626_;
+    if _e75 {
+        phi_630_ = param_11;
     } else {
-        phi_606_ = param_24;
+        phi_630_ = param_10;
     }
-    let _e71 = phi_606_;
-    return _e71;
+    let _e77 = phi_630_;
+    return _e77;
 }
 
-fn lt_shaders_surface_barycentric_weights(param_26: f32, param_27: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_26) - param_27), param_26, param_27);
-}
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
+    var phi_638_: f32;
 
-fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_28: f32, param_29: f32) -> f32 {
-    var phi_620_: f32;
-
-    if (param_28 > param_29) {
-        phi_620_ = param_28;
+    if (param_12 > param_13) {
+        phi_638_ = param_12;
     } else {
-        phi_620_ = param_29;
+        phi_638_ = param_13;
     }
-    let _e68 = phi_620_;
-    return _e68;
+    let _e74 = phi_638_;
+    return _e74;
 }
 
-fn lt_shaders_camera_facing(param_30: vec3<f32>, param_31: vec3<f32>) -> vec3<f32> {
-    var phi_640_: vec3<f32>;
-
-    if ((((param_30.x * param_31.x) + (param_30.y * param_31.y)) + (param_30.z * param_31.z)) < 0f) {
-        phi_640_ = -(param_30);
-    } else {
-        phi_640_ = param_30;
-    }
-    let _e80 = phi_640_;
-    return _e80;
-}
-
-fn lt_shaders_surface_plain_color(param_32: ptr<function, abi_Material>, param_33: ptr<function, array<abi_Vertex, 3>>, param_34: vec3<f32>) -> vec3<f32> {
-    let _e68 = (*param_32).base_color;
-    let _e72 = lt_shaders_surface_vertex_color(param_33, param_34);
-    return vec3<f32>((_e68.x * _e72.x), (_e68.y * _e72.y), (_e68.z * _e72.z));
-}
-
-fn lt_shaders_surface_octahedral_decode(param_35: u32) -> vec3<f32> {
-    var phi_680_: f32;
-    var phi_687_: f32;
-    var phi_694_: f32;
-
-    let _e72 = (f32((bitcast<i32>((param_35 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e78 = (f32((bitcast<i32>(param_35) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e82 = ((1f - abs(_e72)) - abs(_e78));
-    if (_e82 < 0f) {
-        phi_680_ = -(_e82);
-    } else {
-        phi_680_ = 0f;
-    }
-    let _e86 = phi_680_;
-    if (_e72 < 0f) {
-        phi_687_ = (_e72 + _e86);
-    } else {
-        phi_687_ = (_e72 - _e86);
-    }
-    let _e91 = phi_687_;
-    if (_e78 < 0f) {
-        phi_694_ = (_e78 + _e86);
-    } else {
-        phi_694_ = (_e78 - _e86);
-    }
-    let _e96 = phi_694_;
-    let _e103 = (1f / sqrt((((_e91 * _e91) + (_e96 * _e96)) + (_e82 * _e82))));
-    return vec3<f32>((_e91 * _e103), (_e96 * _e103), (_e82 * _e103));
-}
-
-fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_36: vec3<f32>) -> vec3<f32> {
-    return param_36;
-}
-
-fn lt_shaders_shade_pack_albedo(param_37: vec3<f32>) -> u32 {
-    let _e66 = lt_shaders_shade_unit(param_37.x);
-    let _e67 = lt_shaders_shade_sqrt(_e66);
-    let _e69 = lt_shaders_shade_unit(param_37.y);
-    let _e70 = lt_shaders_shade_sqrt(_e69);
-    let _e72 = lt_shaders_shade_unit(param_37.z);
-    let _e73 = lt_shaders_shade_sqrt(_e72);
-    let _e75 = lt_shaders_shade_pack_bytes(vec3<f32>(_e67, _e70, _e73));
-    return _e75;
+fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_14: vec3<f32>) -> vec3<f32> {
+    return param_14;
 }
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<abi_Vertex, 3>;
-    var local_2: abi_Material;
-    var local_3: texture_TextureView;
-    var local_4: array<abi_Vertex, 3>;
-    var local_5: lt_bvh_traverse_Stack;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_876_: bool;
-    var phi_880_: bool;
-    var phi_881_: bool;
-    var phi_882_: bool;
-    var phi_883_: bool;
-    var phi_884_: bool;
-    var phi_885_: bool;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_888_: bool;
-    var phi_889_: bool;
-    var phi_890_: bool;
-    var phi_891_: bool;
-    var phi_892_: bool;
-    var phi_893_: bool;
-    var phi_894_: bool;
-    var phi_895_: bool;
-    var phi_896_: bool;
-    var phi_897_: bool;
-    var phi_901_: bool;
-    var phi_905_: bool;
-    var phi_980_: f32;
-    var phi_987_: f32;
-    var phi_995_: f32;
-    var phi_1002_: f32;
-    var phi_1010_: f32;
-    var phi_1017_: f32;
-    var phi_1042_: f32;
-    var phi_1047_: f32;
-    var phi_1052_: f32;
-    var phi_1085_: bool;
-    var phi_1086_: bool;
-    var phi_1094_: u32;
-    var phi_1095_: u32;
-    var phi_1113_: vec3<f32>;
-    var phi_1114_: vec3<f32>;
-    var phi_1128_: u32;
-    var phi_1133_: u32;
-    var phi_1138_: u32;
-    var phi_1252_: bool;
-    var phi_1253_: bool;
-    var phi_1284_: u32;
-    var phi_1286_: lt_bvh_Hit;
-    var phi_1289_: u32;
-    var phi_1374_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1401_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1428_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1434_: u32;
-    var phi_1437_: u32;
-    var phi_1451_: u32;
-    var phi_1461_: u32;
-    var phi_1471_: u32;
-    var phi_1489_: u32;
-    var phi_1499_: u32;
-    var phi_1509_: u32;
-    var phi_1545_: u32;
-    var phi_1558_: u32;
-    var phi_1563_: u32;
-    var phi_1564_: u32;
-    var phi_1565_: u32;
-    var phi_1435_: u32;
-    var phi_1438_: u32;
-    var local_6: u32;
-    var local_7: u32;
-    var local_8: u32;
-    var phi_1623_: lt_bvh_Hit;
-    var phi_1626_: u32;
-    var phi_1672_: vec3<f32>;
-    var phi_1673_: vec3<f32>;
-    var phi_1706_: vec3<f32>;
-    var phi_1707_: vec3<f32>;
-    var phi_1740_: vec3<f32>;
-    var phi_1741_: vec3<f32>;
-    var phi_1761_: bool;
+    var local_1: texture_TextureView;
+    var local_2: lt_bvh_traverse_Stack;
+    var phi_791_: bool;
+    var phi_792_: bool;
+    var phi_793_: bool;
+    var phi_797_: bool;
+    var phi_798_: bool;
+    var phi_799_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_809_: bool;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_818_: bool;
+    var phi_822_: bool;
+    var phi_897_: f32;
+    var phi_904_: f32;
+    var phi_912_: f32;
+    var phi_919_: f32;
+    var phi_927_: f32;
+    var phi_934_: f32;
+    var phi_959_: f32;
+    var phi_964_: f32;
+    var phi_969_: f32;
+    var phi_1002_: bool;
+    var phi_1003_: bool;
+    var phi_1011_: u32;
+    var phi_1012_: u32;
+    var phi_1030_: vec3<f32>;
+    var phi_1031_: vec3<f32>;
+    var phi_1045_: u32;
+    var phi_1050_: u32;
+    var phi_1055_: u32;
+    var phi_1169_: bool;
+    var phi_1170_: bool;
+    var phi_1201_: u32;
+    var phi_1203_: lt_bvh_Hit;
+    var phi_1206_: u32;
+    var phi_1291_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1318_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1345_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1351_: u32;
+    var phi_1354_: u32;
+    var phi_1368_: u32;
+    var phi_1378_: u32;
+    var phi_1388_: u32;
+    var phi_1406_: u32;
+    var phi_1416_: u32;
+    var phi_1426_: u32;
+    var phi_1462_: u32;
+    var phi_1475_: u32;
+    var phi_1480_: u32;
+    var phi_1481_: u32;
+    var phi_1482_: u32;
+    var phi_1352_: u32;
+    var phi_1355_: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: u32;
+    var phi_1540_: lt_bvh_Hit;
+    var phi_1543_: u32;
+    var phi_1589_: vec3<f32>;
+    var phi_1590_: vec3<f32>;
+    var phi_1623_: vec3<f32>;
+    var phi_1624_: vec3<f32>;
+    var phi_1657_: vec3<f32>;
+    var phi_1658_: vec3<f32>;
+    var phi_1678_: bool;
+    var phi_1679_: bool;
+    var phi_1683_: f32;
+    var phi_1684_: f32;
+    var phi_1685_: f32;
+    var phi_1686_: f32;
+    var phi_1694_: f32;
+    var phi_1704_: bool;
+    var phi_1705_: bool;
+    var phi_1709_: f32;
+    var phi_1710_: f32;
+    var phi_1711_: f32;
+    var phi_1712_: f32;
+    var phi_1720_: f32;
+    var phi_1730_: bool;
+    var phi_1731_: bool;
+    var phi_1735_: f32;
+    var phi_1736_: f32;
+    var phi_1737_: f32;
+    var phi_1738_: f32;
+    var phi_1746_: f32;
+    var phi_1761_: f32;
     var phi_1762_: bool;
-    var phi_1766_: f32;
-    var phi_1767_: f32;
-    var phi_1768_: f32;
-    var phi_1769_: f32;
-    var phi_1777_: f32;
-    var phi_1787_: bool;
+    var phi_1763_: f32;
+    var phi_1764_: bool;
+    var phi_1765_: f32;
+    var phi_1766_: bool;
+    var phi_1784_: f32;
+    var phi_1785_: bool;
+    var phi_1786_: bool;
+    var phi_1787_: f32;
     var phi_1788_: bool;
-    var phi_1792_: f32;
-    var phi_1793_: f32;
+    var phi_1789_: bool;
+    var phi_1793_: bool;
     var phi_1794_: f32;
-    var phi_1795_: f32;
-    var phi_1803_: f32;
-    var phi_1813_: bool;
-    var phi_1814_: bool;
-    var phi_1818_: f32;
-    var phi_1819_: f32;
-    var phi_1820_: f32;
-    var phi_1821_: f32;
-    var phi_1829_: f32;
-    var phi_1844_: f32;
-    var phi_1845_: bool;
-    var phi_1846_: f32;
-    var phi_1847_: bool;
-    var phi_1848_: f32;
-    var phi_1849_: bool;
-    var phi_1867_: f32;
-    var phi_1868_: bool;
-    var phi_1869_: bool;
-    var phi_1870_: f32;
-    var phi_1871_: bool;
-    var phi_1872_: bool;
-    var phi_1876_: bool;
-    var phi_1877_: f32;
-    var phi_1878_: bool;
-    var phi_1904_: f32;
-    var phi_1913_: f32;
-    var phi_1922_: f32;
-    var phi_1931_: f32;
-    var phi_1938_: f32;
-    var phi_1945_: f32;
-    var phi_1958_: f32;
+    var phi_1795_: bool;
+    var phi_1831_: f32;
+    var phi_1840_: f32;
+    var phi_1849_: f32;
+    var phi_1858_: f32;
+    var phi_1865_: f32;
+    var phi_1872_: f32;
+    var phi_1885_: f32;
+    var phi_1894_: f32;
+    var phi_1903_: f32;
+    var phi_1912_: f32;
+    var phi_1919_: f32;
+    var phi_1926_: f32;
+    var phi_1949_: f32;
+    var phi_1954_: f32;
+    var phi_1959_: f32;
     var phi_1967_: f32;
-    var phi_1976_: f32;
-    var phi_1985_: f32;
-    var phi_1992_: f32;
+    var phi_1972_: f32;
+    var phi_1977_: f32;
+    var phi_1989_: f32;
+    var phi_1994_: f32;
     var phi_1999_: f32;
-    var phi_2022_: f32;
-    var phi_2027_: f32;
-    var phi_2032_: f32;
-    var phi_2040_: f32;
-    var phi_2045_: f32;
-    var phi_2050_: f32;
-    var phi_2062_: f32;
-    var phi_2067_: f32;
-    var phi_2072_: f32;
-    var phi_2077_: f32;
-    var phi_2082_: lt_bvh_triangle_Intersection;
-    var phi_2083_: lt_bvh_triangle_Intersection;
-    var phi_2084_: bool;
-    var phi_2088_: lt_bvh_triangle_Intersection;
-    var phi_2127_: bool;
-    var phi_2128_: bool;
-    var phi_2129_: bool;
-    var phi_2130_: bool;
-    var phi_2131_: bool;
-    var phi_2132_: bool;
-    var phi_2136_: bool;
-    var phi_2137_: bool;
-    var phi_2335_: f32;
-    var phi_2338_: bool;
-    var phi_2339_: bool;
+    var phi_2004_: f32;
+    var phi_2009_: lt_bvh_triangle_Intersection;
+    var phi_2010_: bool;
+    var phi_2011_: lt_bvh_triangle_Intersection;
+    var phi_2012_: bool;
+    var phi_2016_: lt_bvh_triangle_Intersection;
+    var phi_2017_: bool;
+    var phi_2018_: lt_bvh_triangle_Intersection;
+    var phi_2019_: bool;
+    var phi_2020_: bool;
+    var phi_2024_: bool;
+    var phi_2028_: lt_bvh_triangle_Intersection;
+    var phi_2067_: bool;
+    var phi_2068_: bool;
+    var phi_2069_: bool;
+    var phi_2070_: bool;
+    var phi_2071_: bool;
+    var phi_2072_: bool;
+    var phi_2076_: bool;
+    var phi_2077_: bool;
+    var phi_2284_: f32;
+    var phi_2287_: bool;
+    var phi_2288_: bool;
+    var phi_2292_: bool;
+    var phi_2300_: lt_bvh_Hit;
+    var phi_2301_: lt_bvh_Hit;
+    var phi_2302_: lt_bvh_Hit;
+    var phi_2303_: lt_bvh_Hit;
+    var phi_1541_: lt_bvh_Hit;
+    var phi_1544_: u32;
+    var phi_2304_: bool;
     var phi_2343_: bool;
-    var phi_2351_: lt_bvh_Hit;
-    var phi_2352_: lt_bvh_Hit;
-    var phi_2353_: lt_bvh_Hit;
-    var phi_2354_: lt_bvh_Hit;
-    var phi_1624_: lt_bvh_Hit;
-    var phi_1627_: u32;
-    var phi_2355_: bool;
-    var phi_2394_: bool;
-    var phi_2395_: bool;
-    var phi_2426_: u32;
-    var phi_1287_: lt_bvh_Hit;
-    var phi_1290_: u32;
-    var phi_2427_: lt_bvh_Hit;
-    var phi_2428_: lt_bvh_Hit;
-    var phi_2429_: bool;
-    var phi_2433_: lt_bvh_Hit;
-    var phi_2499_: f32;
-    var phi_2504_: f32;
-    var phi_2509_: f32;
-    var phi_2520_: f32;
-    var phi_2525_: f32;
-    var phi_2530_: f32;
-    var phi_2763_: vec3<f32>;
-    var phi_2774_: u32;
-    var phi_2840_: vec3<f32>;
-    var phi_2841_: vec3<f32>;
-    var phi_2845_: abi_Sample;
-    var local_9: lt_bvh_Hit;
-    var local_10: lt_bvh_Hit;
+    var phi_2344_: bool;
+    var phi_2375_: u32;
+    var phi_1204_: lt_bvh_Hit;
+    var phi_1207_: u32;
+    var phi_2376_: lt_bvh_Hit;
+    var phi_2377_: lt_bvh_Hit;
+    var phi_2378_: bool;
+    var phi_2382_: lt_bvh_Hit;
+    var phi_2446_: f32;
+    var phi_2451_: f32;
+    var phi_2456_: f32;
+    var phi_2467_: f32;
+    var phi_2472_: f32;
+    var phi_2477_: f32;
+    var phi_2553_: vec3<f32>;
+    var phi_2796_: vec3<f32>;
+    var phi_2811_: u32;
+    var phi_2838_: f32;
+    var phi_2845_: f32;
+    var phi_2852_: f32;
+    var phi_2887_: f32;
+    var phi_2894_: f32;
+    var phi_2901_: f32;
+    var phi_2939_: f32;
+    var phi_2946_: f32;
+    var phi_2953_: f32;
+    var phi_3012_: vec3<f32>;
+    var phi_3013_: vec3<f32>;
+    var phi_3014_: vec3<f32>;
+    var phi_3023_: f32;
+    var phi_3024_: f32;
+    var phi_3034_: f32;
+    var phi_3035_: f32;
+    var phi_3045_: f32;
+    var phi_3046_: f32;
+    var phi_3081_: abi_Sample;
+    var local_6: lt_bvh_Hit;
+    var local_7: lt_bvh_Hit;
 
-    let _e70 = id_1;
-    let _e74 = arrayLength((&nodes.member));
-    let _e77 = arrayLength((&triangles.member));
-    let _e80 = arrayLength((&vertices.member));
-    let _e83 = arrayLength((&materials.member));
-    let _e89 = arrayLength((&alpha_texels.member));
-    let _e92 = arrayLength((&color_texels.member));
-    let _e95 = p.member.size[0u];
-    let _e97 = p.member.size[1u];
-    let _e98 = lt_shaders_entry_pixel_index(_e70, _e95, _e97);
-    if (bitcast<i32>(_e98.root) != 0i) {
-        let _e106 = p.member.eye;
-        let _e111 = p.member.size[0u];
-        let _e115 = ((((f32(_e70.x) + 0.5f) / f32(_e111)) * 2f) - 1f);
-        let _e120 = p.member.size[1u];
-        let _e124 = (1f - (((f32(_e70.y) + 0.5f) / f32(_e120)) * 2f));
-        let _e126 = p.member.forward;
-        let _e128 = p.member.right;
-        let _e142 = p.member.up;
-        let _e153 = _lt_bvh_ray_Ray_new(_e106, vec3<f32>(((_e126.x + (_e128.x * _e115)) + (_e142.x * _e124)), ((_e126.y + (_e128.y * _e115)) + (_e142.y * _e124)), ((_e126.z + (_e128.z * _e115)) + (_e142.z * _e124))));
-        let _e155 = lt_bvh_Hit(_e153.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e165 = abs(_e153.direction.x);
-        let _e167 = abs(_e153.direction.y);
-        let _e169 = abs(_e153.direction.z);
-        if (abs(_e153.origin.x) < 1000000000000000f) {
-            if (abs(_e153.origin.y) < 1000000000000000f) {
-                if (abs(_e153.origin.z) < 1000000000000000f) {
-                    if (_e165 < 1000000000000000f) {
-                        if (_e167 < 1000000000000000f) {
-                            if (_e169 < 1000000000000000f) {
-                                if (_e165 > 0f) {
-                                    phi_875_ = bool();
-                                    phi_876_ = true;
+    let _e73 = id_1;
+    let _e77 = arrayLength((&nodes.member));
+    let _e80 = arrayLength((&triangles.member));
+    let _e83 = arrayLength((&vertices.member));
+    let _e86 = arrayLength((&materials.member));
+    let _e92 = arrayLength((&alpha_texels.member));
+    let _e95 = arrayLength((&color_texels.member));
+    let _e98 = p.member.size[0u];
+    let _e100 = p.member.size[1u];
+    let _e101 = lt_shaders_entry_pixel_index(_e73, _e98, _e100);
+    if (bitcast<i32>(_e101.root) != 0i) {
+        let _e109 = p.member.eye;
+        let _e114 = p.member.size[0u];
+        let _e118 = ((((f32(_e73.x) + 0.5f) / f32(_e114)) * 2f) - 1f);
+        let _e123 = p.member.size[1u];
+        let _e127 = (1f - (((f32(_e73.y) + 0.5f) / f32(_e123)) * 2f));
+        let _e129 = p.member.forward;
+        let _e131 = p.member.right;
+        let _e145 = p.member.up;
+        let _e156 = _lt_bvh_ray_Ray_new(_e109, vec3<f32>(((_e129.x + (_e131.x * _e118)) + (_e145.x * _e127)), ((_e129.y + (_e131.y * _e118)) + (_e145.y * _e127)), ((_e129.z + (_e131.z * _e118)) + (_e145.z * _e127))));
+        let _e158 = lt_bvh_Hit(_e156.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e168 = abs(_e156.direction.x);
+        let _e170 = abs(_e156.direction.y);
+        let _e172 = abs(_e156.direction.z);
+        if (abs(_e156.origin.x) < 1000000000000000f) {
+            if (abs(_e156.origin.y) < 1000000000000000f) {
+                if (abs(_e156.origin.z) < 1000000000000000f) {
+                    if (_e168 < 1000000000000000f) {
+                        if (_e170 < 1000000000000000f) {
+                            if (_e172 < 1000000000000000f) {
+                                if (_e168 > 0f) {
+                                    phi_792_ = bool();
+                                    phi_793_ = true;
                                 } else {
-                                    let _e177 = (_e167 > 0f);
-                                    if _e177 {
-                                        phi_874_ = bool();
+                                    let _e180 = (_e170 > 0f);
+                                    if _e180 {
+                                        phi_791_ = bool();
                                     } else {
-                                        phi_874_ = (_e169 > 0f);
+                                        phi_791_ = (_e172 > 0f);
                                     }
-                                    let _e180 = phi_874_;
-                                    phi_875_ = _e180;
-                                    phi_876_ = _e177;
+                                    let _e183 = phi_791_;
+                                    phi_792_ = _e183;
+                                    phi_793_ = _e180;
                                 }
-                                let _e182 = phi_875_;
-                                let _e184 = phi_876_;
-                                if _e184 {
-                                    phi_880_ = true;
+                                let _e185 = phi_792_;
+                                let _e187 = phi_793_;
+                                if _e187 {
+                                    phi_797_ = true;
                                 } else {
-                                    phi_880_ = _e182;
+                                    phi_797_ = _e185;
                                 }
-                                let _e186 = phi_880_;
-                                phi_881_ = _e186;
-                                phi_882_ = false;
+                                let _e189 = phi_797_;
+                                phi_798_ = _e189;
+                                phi_799_ = false;
                             } else {
-                                phi_881_ = bool();
-                                phi_882_ = true;
+                                phi_798_ = bool();
+                                phi_799_ = true;
                             }
-                            let _e188 = phi_881_;
-                            let _e190 = phi_882_;
-                            phi_883_ = _e188;
-                            phi_884_ = false;
-                            phi_885_ = _e190;
+                            let _e191 = phi_798_;
+                            let _e193 = phi_799_;
+                            phi_800_ = _e191;
+                            phi_801_ = false;
+                            phi_802_ = _e193;
                         } else {
-                            phi_883_ = bool();
-                            phi_884_ = true;
-                            phi_885_ = false;
+                            phi_800_ = bool();
+                            phi_801_ = true;
+                            phi_802_ = false;
                         }
-                        let _e192 = phi_883_;
-                        let _e194 = phi_884_;
-                        let _e196 = phi_885_;
-                        phi_886_ = _e192;
-                        phi_887_ = _e194;
-                        phi_888_ = _e196;
+                        let _e195 = phi_800_;
+                        let _e197 = phi_801_;
+                        let _e199 = phi_802_;
+                        phi_803_ = _e195;
+                        phi_804_ = _e197;
+                        phi_805_ = _e199;
                     } else {
-                        phi_886_ = bool();
-                        phi_887_ = true;
-                        phi_888_ = false;
+                        phi_803_ = bool();
+                        phi_804_ = true;
+                        phi_805_ = false;
                     }
-                    let _e198 = phi_886_;
-                    let _e200 = phi_887_;
-                    let _e202 = phi_888_;
-                    phi_889_ = _e198;
-                    phi_890_ = _e200;
-                    phi_891_ = _e202;
+                    let _e201 = phi_803_;
+                    let _e203 = phi_804_;
+                    let _e205 = phi_805_;
+                    phi_806_ = _e201;
+                    phi_807_ = _e203;
+                    phi_808_ = _e205;
                 } else {
-                    phi_889_ = bool();
-                    phi_890_ = true;
-                    phi_891_ = false;
+                    phi_806_ = bool();
+                    phi_807_ = true;
+                    phi_808_ = false;
                 }
-                let _e204 = phi_889_;
-                let _e206 = phi_890_;
-                let _e208 = phi_891_;
-                phi_892_ = _e204;
-                phi_893_ = _e206;
-                phi_894_ = _e208;
+                let _e207 = phi_806_;
+                let _e209 = phi_807_;
+                let _e211 = phi_808_;
+                phi_809_ = _e207;
+                phi_810_ = _e209;
+                phi_811_ = _e211;
             } else {
-                phi_892_ = bool();
-                phi_893_ = true;
-                phi_894_ = false;
+                phi_809_ = bool();
+                phi_810_ = true;
+                phi_811_ = false;
             }
-            let _e210 = phi_892_;
-            let _e212 = phi_893_;
-            let _e214 = phi_894_;
-            phi_895_ = _e210;
-            phi_896_ = _e212;
-            phi_897_ = _e214;
+            let _e213 = phi_809_;
+            let _e215 = phi_810_;
+            let _e217 = phi_811_;
+            phi_812_ = _e213;
+            phi_813_ = _e215;
+            phi_814_ = _e217;
         } else {
-            phi_895_ = bool();
-            phi_896_ = true;
-            phi_897_ = false;
+            phi_812_ = bool();
+            phi_813_ = true;
+            phi_814_ = false;
         }
-        let _e216 = phi_895_;
-        let _e218 = phi_896_;
-        let _e220 = phi_897_;
-        if _e218 {
-            phi_901_ = true;
+        let _e219 = phi_812_;
+        let _e221 = phi_813_;
+        let _e223 = phi_814_;
+        if _e221 {
+            phi_818_ = true;
         } else {
-            phi_901_ = _e220;
+            phi_818_ = _e223;
         }
-        let _e222 = phi_901_;
-        if _e222 {
-            phi_905_ = false;
+        let _e225 = phi_818_;
+        if _e225 {
+            phi_822_ = false;
         } else {
-            phi_905_ = _e216;
+            phi_822_ = _e219;
         }
-        let _e224 = phi_905_;
-        if _e224 {
-            let _e225 = (0u >= _e74);
-            if _e225 {
-                phi_2427_ = lt_bvh_Hit();
+        let _e227 = phi_822_;
+        if _e227 {
+            let _e228 = (0u >= _e77);
+            if _e228 {
+                phi_2376_ = lt_bvh_Hit();
             } else {
-                if (0u < _e74) {
+                if (0u < _e77) {
                 } else {
                     return;
                 }
-                let _e231 = nodes.member[(0u + 0u)].frame[0u];
-                let _e235 = nodes.member[(0u + 0u)].frame[1u];
-                let _e239 = nodes.member[(0u + 0u)].frame[2u];
-                let _e243 = nodes.member[(0u + 0u)].frame[0u];
-                let _e247 = nodes.member[(0u + 0u)].frame[1u];
-                let _e251 = nodes.member[(0u + 0u)].frame[2u];
-                let _e255 = nodes.member[(0u + 0u)].frame[3u];
-                let _e293 = core_intrinsics_maximum_number_nsz_f32_(abs(_e153.direction.x), abs(_e153.direction.y));
-                let _e294 = core_intrinsics_maximum_number_nsz_f32_(_e293, abs(_e153.direction.z));
-                let _e295 = (_e294 * 0.0000000000009094947f);
-                if (abs(_e153.direction.x) < _e295) {
-                    phi_980_ = _e295;
+                let _e234 = nodes.member[(0u + 0u)].frame[0u];
+                let _e238 = nodes.member[(0u + 0u)].frame[1u];
+                let _e242 = nodes.member[(0u + 0u)].frame[2u];
+                let _e246 = nodes.member[(0u + 0u)].frame[0u];
+                let _e250 = nodes.member[(0u + 0u)].frame[1u];
+                let _e254 = nodes.member[(0u + 0u)].frame[2u];
+                let _e258 = nodes.member[(0u + 0u)].frame[3u];
+                let _e296 = core_intrinsics_maximum_number_nsz_f32_(abs(_e156.direction.x), abs(_e156.direction.y));
+                let _e297 = core_intrinsics_maximum_number_nsz_f32_(_e296, abs(_e156.direction.z));
+                let _e298 = (_e297 * 0.0000000000009094947f);
+                if (abs(_e156.direction.x) < _e298) {
+                    phi_897_ = _e298;
                 } else {
-                    phi_980_ = abs(_e153.direction.x);
+                    phi_897_ = abs(_e156.direction.x);
                 }
-                let _e302 = phi_980_;
-                if (_e153.direction.x < 0f) {
-                    phi_987_ = (-1f / _e302);
+                let _e305 = phi_897_;
+                if (_e156.direction.x < 0f) {
+                    phi_904_ = (-1f / _e305);
                 } else {
-                    phi_987_ = (1f / _e302);
+                    phi_904_ = (1f / _e305);
                 }
-                let _e307 = phi_987_;
-                if (abs(_e153.direction.y) < _e295) {
-                    phi_995_ = _e295;
+                let _e310 = phi_904_;
+                if (abs(_e156.direction.y) < _e298) {
+                    phi_912_ = _e298;
                 } else {
-                    phi_995_ = abs(_e153.direction.y);
+                    phi_912_ = abs(_e156.direction.y);
                 }
-                let _e314 = phi_995_;
-                if (_e153.direction.y < 0f) {
-                    phi_1002_ = (-1f / _e314);
+                let _e317 = phi_912_;
+                if (_e156.direction.y < 0f) {
+                    phi_919_ = (-1f / _e317);
                 } else {
-                    phi_1002_ = (1f / _e314);
+                    phi_919_ = (1f / _e317);
                 }
-                let _e319 = phi_1002_;
-                if (abs(_e153.direction.z) < _e295) {
-                    phi_1010_ = _e295;
+                let _e322 = phi_919_;
+                if (abs(_e156.direction.z) < _e298) {
+                    phi_927_ = _e298;
                 } else {
-                    phi_1010_ = abs(_e153.direction.z);
+                    phi_927_ = abs(_e156.direction.z);
                 }
-                let _e326 = phi_1010_;
-                if (_e153.direction.z < 0f) {
-                    phi_1017_ = (-1f / _e326);
+                let _e329 = phi_927_;
+                if (_e156.direction.z < 0f) {
+                    phi_934_ = (-1f / _e329);
                 } else {
-                    phi_1017_ = (1f / _e326);
+                    phi_934_ = (1f / _e329);
                 }
-                let _e331 = phi_1017_;
-                let _e339 = abs((bitcast<f32>(_e231) - _e153.origin.x));
-                let _e340 = abs((bitcast<f32>(_e235) - _e153.origin.y));
-                let _e341 = abs((bitcast<f32>(_e239) - _e153.origin.z));
-                let _e349 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e255 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.x));
-                let _e350 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e255 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.y));
-                let _e351 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e255 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.z));
-                if (_e339 > _e349) {
-                    phi_1042_ = _e339;
+                let _e334 = phi_934_;
+                let _e342 = abs((bitcast<f32>(_e234) - _e156.origin.x));
+                let _e343 = abs((bitcast<f32>(_e238) - _e156.origin.y));
+                let _e344 = abs((bitcast<f32>(_e242) - _e156.origin.z));
+                let _e352 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e258 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.x));
+                let _e353 = abs(((bitcast<f32>(_e250) + (bitcast<f32>((((_e258 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.y));
+                let _e354 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e258 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.z));
+                if (_e342 > _e352) {
+                    phi_959_ = _e342;
                 } else {
-                    phi_1042_ = _e349;
+                    phi_959_ = _e352;
                 }
-                let _e354 = phi_1042_;
-                if (_e340 > _e350) {
-                    phi_1047_ = _e340;
+                let _e357 = phi_959_;
+                if (_e343 > _e353) {
+                    phi_964_ = _e343;
                 } else {
-                    phi_1047_ = _e350;
+                    phi_964_ = _e353;
                 }
-                let _e357 = phi_1047_;
-                if (_e341 > _e351) {
-                    phi_1052_ = _e341;
+                let _e360 = phi_964_;
+                if (_e344 > _e354) {
+                    phi_969_ = _e344;
                 } else {
-                    phi_1052_ = _e351;
+                    phi_969_ = _e354;
                 }
-                let _e360 = phi_1052_;
-                let _e361 = core_intrinsics_maximum_number_nsz_f32_(_e354, _e357);
-                let _e362 = core_intrinsics_maximum_number_nsz_f32_(_e361, _e360);
-                let _e367 = (_e362 * 0.0000019073486f);
-                let _e368 = (abs(_e307) * _e367);
-                let _e369 = (abs(_e319) * _e367);
-                let _e370 = (abs(_e331) * _e367);
-                let _e374 = (_e362 * 0.0000009536743f);
-                let _e375 = (abs(_e307) * _e374);
-                let _e376 = (abs(_e319) * _e374);
-                let _e377 = (abs(_e331) * _e374);
-                let _e380 = abs(_e153.direction.x);
-                let _e382 = abs(_e153.direction.y);
-                let _e384 = abs(_e153.direction.z);
-                if (_e380 >= _e382) {
-                    if (_e380 >= _e384) {
-                        phi_1085_ = false;
+                let _e363 = phi_969_;
+                let _e364 = core_intrinsics_maximum_number_nsz_f32_(_e357, _e360);
+                let _e365 = core_intrinsics_maximum_number_nsz_f32_(_e364, _e363);
+                let _e370 = (_e365 * 0.0000019073486f);
+                let _e371 = (abs(_e310) * _e370);
+                let _e372 = (abs(_e322) * _e370);
+                let _e373 = (abs(_e334) * _e370);
+                let _e377 = (_e365 * 0.0000009536743f);
+                let _e378 = (abs(_e310) * _e377);
+                let _e379 = (abs(_e322) * _e377);
+                let _e380 = (abs(_e334) * _e377);
+                let _e383 = abs(_e156.direction.x);
+                let _e385 = abs(_e156.direction.y);
+                let _e387 = abs(_e156.direction.z);
+                if (_e383 >= _e385) {
+                    if (_e383 >= _e387) {
+                        phi_1002_ = false;
                     } else {
-                        phi_1085_ = true;
+                        phi_1002_ = true;
                     }
-                    let _e388 = phi_1085_;
-                    phi_1086_ = _e388;
+                    let _e391 = phi_1002_;
+                    phi_1003_ = _e391;
                 } else {
-                    phi_1086_ = true;
+                    phi_1003_ = true;
                 }
-                let _e390 = phi_1086_;
-                if _e390 {
-                    if (_e382 >= _e384) {
-                        phi_1094_ = 1u;
+                let _e393 = phi_1003_;
+                if _e393 {
+                    if (_e385 >= _e387) {
+                        phi_1011_ = 1u;
                     } else {
-                        phi_1094_ = 2u;
+                        phi_1011_ = 2u;
                     }
-                    let _e393 = phi_1094_;
-                    phi_1095_ = _e393;
+                    let _e396 = phi_1011_;
+                    phi_1012_ = _e396;
                 } else {
-                    phi_1095_ = 0u;
+                    phi_1012_ = 0u;
                 }
-                let _e395 = phi_1095_;
-                if (_e395 == 0u) {
-                    phi_1114_ = vec3<f32>(_e153.direction.y, _e153.direction.z, _e153.direction.x);
+                let _e398 = phi_1012_;
+                if (_e398 == 0u) {
+                    phi_1031_ = vec3<f32>(_e156.direction.y, _e156.direction.z, _e156.direction.x);
                 } else {
-                    if (_e395 == 1u) {
-                        phi_1113_ = vec3<f32>(_e153.direction.z, _e153.direction.x, _e153.direction.y);
+                    if (_e398 == 1u) {
+                        phi_1030_ = vec3<f32>(_e156.direction.z, _e156.direction.x, _e156.direction.y);
                     } else {
-                        phi_1113_ = _e153.direction;
+                        phi_1030_ = _e156.direction;
                     }
-                    let _e408 = phi_1113_;
-                    phi_1114_ = _e408;
+                    let _e411 = phi_1030_;
+                    phi_1031_ = _e411;
                 }
-                let _e410 = phi_1114_;
-                let _e414 = (_e410.x / _e410.z);
-                let _e417 = (_e410.y / _e410.z);
-                let _e419 = (1f / _e410.z);
-                if (_e307 < 0f) {
-                    phi_1128_ = 0u;
+                let _e413 = phi_1031_;
+                let _e417 = (_e413.x / _e413.z);
+                let _e420 = (_e413.y / _e413.z);
+                let _e422 = (1f / _e413.z);
+                if (_e310 < 0f) {
+                    phi_1045_ = 0u;
                 } else {
-                    phi_1128_ = 1u;
+                    phi_1045_ = 1u;
                 }
-                let _e422 = phi_1128_;
-                if (_e319 < 0f) {
-                    phi_1133_ = 0u;
+                let _e425 = phi_1045_;
+                if (_e322 < 0f) {
+                    phi_1050_ = 0u;
                 } else {
-                    phi_1133_ = 2u;
+                    phi_1050_ = 2u;
                 }
-                let _e425 = phi_1133_;
-                if (_e331 < 0f) {
-                    phi_1138_ = 0u;
+                let _e428 = phi_1050_;
+                if (_e334 < 0f) {
+                    phi_1055_ = 0u;
                 } else {
-                    phi_1138_ = 4u;
+                    phi_1055_ = 4u;
                 }
-                let _e428 = phi_1138_;
-                let _e430 = ((_e422 | _e425) | _e428);
-                let _e431 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_5 = lt_bvh_traverse_Stack(array<u32, 32>(_e431.first[0], _e431.first[1], _e431.first[2], _e431.first[3], _e431.first[4], _e431.first[5], _e431.first[6], _e431.first[7], _e431.first[8], _e431.first[9], _e431.first[10], _e431.first[11], _e431.first[12], _e431.first[13], _e431.first[14], _e431.first[15], _e431.first[16], _e431.first[17], _e431.first[18], _e431.first[19], _e431.first[20], _e431.first[21], _e431.first[22], _e431.first[23], _e431.first[24], _e431.first[25], _e431.first[26], _e431.first[27], _e431.first[28], _e431.first[29], _e431.first[30], _e431.first[31]), array<u32, 32>(_e431.mask[0], _e431.mask[1], _e431.mask[2], _e431.mask[3], _e431.mask[4], _e431.mask[5], _e431.mask[6], _e431.mask[7], _e431.mask[8], _e431.mask[9], _e431.mask[10], _e431.mask[11], _e431.mask[12], _e431.mask[13], _e431.mask[14], _e431.mask[15], _e431.mask[16], _e431.mask[17], _e431.mask[18], _e431.mask[19], _e431.mask[20], _e431.mask[21], _e431.mask[22], _e431.mask[23], _e431.mask[24], _e431.mask[25], _e431.mask[26], _e431.mask[27], _e431.mask[28], _e431.mask[29], _e431.mask[30], _e431.mask[31]), _e431.len, _e431.group, _e431.group_mask);
-                let _e505 = local_5.group_mask;
-                if ((_e505 & 4278190080u) == 0u) {
-                    let _e509 = local_5.len;
-                    if (_e509 == 0u) {
-                        phi_1252_ = false;
+                let _e431 = phi_1055_;
+                let _e433 = ((_e425 | _e428) | _e431);
+                let _e434 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e434.first[0], _e434.first[1], _e434.first[2], _e434.first[3], _e434.first[4], _e434.first[5], _e434.first[6], _e434.first[7], _e434.first[8], _e434.first[9], _e434.first[10], _e434.first[11], _e434.first[12], _e434.first[13], _e434.first[14], _e434.first[15], _e434.first[16], _e434.first[17], _e434.first[18], _e434.first[19], _e434.first[20], _e434.first[21], _e434.first[22], _e434.first[23], _e434.first[24], _e434.first[25], _e434.first[26], _e434.first[27], _e434.first[28], _e434.first[29], _e434.first[30], _e434.first[31]), array<u32, 32>(_e434.mask[0], _e434.mask[1], _e434.mask[2], _e434.mask[3], _e434.mask[4], _e434.mask[5], _e434.mask[6], _e434.mask[7], _e434.mask[8], _e434.mask[9], _e434.mask[10], _e434.mask[11], _e434.mask[12], _e434.mask[13], _e434.mask[14], _e434.mask[15], _e434.mask[16], _e434.mask[17], _e434.mask[18], _e434.mask[19], _e434.mask[20], _e434.mask[21], _e434.mask[22], _e434.mask[23], _e434.mask[24], _e434.mask[25], _e434.mask[26], _e434.mask[27], _e434.mask[28], _e434.mask[29], _e434.mask[30], _e434.mask[31]), _e434.len, _e434.group, _e434.group_mask);
+                let _e508 = local_2.group_mask;
+                if ((_e508 & 4278190080u) == 0u) {
+                    let _e512 = local_2.len;
+                    if (_e512 == 0u) {
+                        phi_1169_ = false;
                     } else {
-                        let _e513 = local_5.len;
-                        local_5.len = (_e513 - 1u);
-                        let _e516 = local_5.len;
-                        if (_e516 < 32u) {
+                        let _e516 = local_2.len;
+                        local_2.len = (_e516 - 1u);
+                        let _e519 = local_2.len;
+                        if (_e519 < 32u) {
                         } else {
                             return;
                         }
-                        let _e521 = local_5.first[(0u + _e516)];
-                        local_5.group = _e521;
-                        let _e524 = local_5.len;
-                        if (_e524 < 32u) {
+                        let _e524 = local_2.first[(0u + _e519)];
+                        local_2.group = _e524;
+                        let _e527 = local_2.len;
+                        if (_e527 < 32u) {
                         } else {
                             return;
                         }
-                        let _e529 = local_5.mask[(0u + _e524)];
-                        local_5.group_mask = _e529;
-                        phi_1252_ = true;
+                        let _e532 = local_2.mask[(0u + _e527)];
+                        local_2.group_mask = _e532;
+                        phi_1169_ = true;
                     }
-                    let _e532 = phi_1252_;
-                    phi_1253_ = _e532;
+                    let _e535 = phi_1169_;
+                    phi_1170_ = _e535;
                 } else {
-                    phi_1253_ = true;
+                    phi_1170_ = true;
                 }
-                let _e534 = phi_1253_;
-                if _e534 {
-                    let _e536 = local_5.group_mask;
-                    let _e542 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e536)), 32u, (_e536 == 0u)));
-                    let _e546 = local_5.group_mask;
-                    let _e560 = local_5.group_mask;
-                    local_5.group_mask = (_e560 & ~((1u << bitcast<u32>((_e542 & 31u)))));
-                    let _e563 = local_5.group;
-                    phi_1284_ = (_e563 + countOneBits(((_e546 & ~((4294967295u << bitcast<u32>((((_e542 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e537 = phi_1170_;
+                if _e537 {
+                    let _e539 = local_2.group_mask;
+                    let _e545 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e539)), 32u, (_e539 == 0u)));
+                    let _e549 = local_2.group_mask;
+                    let _e563 = local_2.group_mask;
+                    local_2.group_mask = (_e563 & ~((1u << bitcast<u32>((_e545 & 31u)))));
+                    let _e566 = local_2.group;
+                    phi_1201_ = (_e566 + countOneBits(((_e549 & ~((4294967295u << bitcast<u32>((((_e545 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1284_ = 4294967295u;
+                    phi_1201_ = 4294967295u;
                 }
-                let _e566 = phi_1284_;
-                phi_1286_ = _e155;
-                phi_1289_ = _e566;
+                let _e569 = phi_1201_;
+                phi_1203_ = _e158;
+                phi_1206_ = _e569;
                 loop {
-                    let _e568 = phi_1286_;
-                    let _e570 = phi_1289_;
-                    local_10 = _e568;
-                    let _e571 = (_e570 != 4294967295u);
-                    if _e571 {
-                        if (_e570 < _e74) {
+                    let _e571 = phi_1203_;
+                    let _e573 = phi_1206_;
+                    local_7 = _e571;
+                    let _e574 = (_e573 != 4294967295u);
+                    if _e574 {
+                        if (_e573 < _e77) {
                         } else {
                             return;
                         }
-                        let _e579 = nodes.member[(0u + _e570)].frame[3u];
-                        let _e604 = (bitcast<f32>((((_e579 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e307);
-                        let _e605 = (bitcast<f32>((((_e579 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
-                        let _e606 = (bitcast<f32>((((_e579 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
-                        let _e609 = nodes.member[(0u + _e570)].frame[0u];
-                        let _e613 = nodes.member[(0u + _e570)].frame[1u];
-                        let _e617 = nodes.member[(0u + _e570)].frame[2u];
-                        let _e625 = ((bitcast<f32>(_e609) - _e153.origin.x) * _e307);
-                        let _e626 = ((bitcast<f32>(_e613) - _e153.origin.y) * _e319);
-                        let _e627 = ((bitcast<f32>(_e617) - _e153.origin.z) * _e331);
-                        let _e635 = nodes.member[(0u + _e570)].x;
-                        if (_e307 < 0f) {
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.unnamed.root, _e635.w), _e646.unnamed_1);
-                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e635.x, _e652.unnamed_1.first_primitive));
-                            phi_1374_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_bvh_traverse_Tree(_e658.unnamed_1.root, _e635.y));
+                        let _e582 = nodes.member[(0u + _e573)].frame[3u];
+                        let _e607 = (bitcast<f32>((((_e582 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
+                        let _e608 = (bitcast<f32>((((_e582 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e322);
+                        let _e609 = (bitcast<f32>((((_e582 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e334);
+                        let _e612 = nodes.member[(0u + _e573)].frame[0u];
+                        let _e616 = nodes.member[(0u + _e573)].frame[1u];
+                        let _e620 = nodes.member[(0u + _e573)].frame[2u];
+                        let _e628 = ((bitcast<f32>(_e612) - _e156.origin.x) * _e310);
+                        let _e629 = ((bitcast<f32>(_e616) - _e156.origin.y) * _e322);
+                        let _e630 = ((bitcast<f32>(_e620) - _e156.origin.z) * _e334);
+                        let _e638 = nodes.member[(0u + _e573)].x;
+                        if (_e310 < 0f) {
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.unnamed.root, _e638.w), _e649.unnamed_1);
+                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e638.x, _e655.unnamed_1.first_primitive));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_bvh_traverse_Tree(_e661.unnamed_1.root, _e638.y));
                         } else {
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.unnamed.root, _e635.y), _e674.unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e635.z, _e680.unnamed_1.first_primitive));
-                            phi_1374_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e686.unnamed_1.root, _e635.w));
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e677.unnamed.root, _e638.y), _e677.unnamed_1);
+                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e638.z, _e683.unnamed_1.first_primitive));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e689.unnamed_1.root, _e638.w));
                         }
-                        let _e694 = phi_1374_;
-                        let _e704 = nodes.member[(0u + _e570)].y;
-                        if (_e319 < 0f) {
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.unnamed.root, _e704.w), _e715.unnamed_1);
-                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e704.x, _e721.unnamed_1.first_primitive));
-                            phi_1401_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_bvh_traverse_Tree(_e727.unnamed_1.root, _e704.y));
+                        let _e697 = phi_1291_;
+                        let _e707 = nodes.member[(0u + _e573)].y;
+                        if (_e322 < 0f) {
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.unnamed.root, _e707.w), _e718.unnamed_1);
+                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e707.x, _e724.unnamed_1.first_primitive));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_bvh_traverse_Tree(_e730.unnamed_1.root, _e707.y));
                         } else {
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.unnamed.root, _e704.y), _e743.unnamed_1);
-                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e704.z, _e749.unnamed_1.first_primitive));
-                            phi_1401_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_bvh_traverse_Tree(_e755.unnamed_1.root, _e704.w));
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.unnamed.root, _e707.y), _e746.unnamed_1);
+                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e707.z, _e752.unnamed_1.first_primitive));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e758.unnamed_1.root, _e707.w));
                         }
-                        let _e763 = phi_1401_;
-                        let _e773 = nodes.member[(0u + _e570)].z;
-                        if (_e331 < 0f) {
-                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e773.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.unnamed.root, _e773.w), _e784.unnamed_1);
-                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_bvh_traverse_Tree(_e773.x, _e790.unnamed_1.first_primitive));
-                            phi_1428_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_bvh_traverse_Tree(_e796.unnamed_1.root, _e773.y));
+                        let _e766 = phi_1318_;
+                        let _e776 = nodes.member[(0u + _e573)].z;
+                        if (_e334 < 0f) {
+                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e787.unnamed.root, _e776.w), _e787.unnamed_1);
+                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e776.x, _e793.unnamed_1.first_primitive));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_bvh_traverse_Tree(_e799.unnamed_1.root, _e776.y));
                         } else {
-                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e773.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e812.unnamed.root, _e773.y), _e812.unnamed_1);
-                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_bvh_traverse_Tree(_e773.z, _e818.unnamed_1.first_primitive));
-                            phi_1428_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_bvh_traverse_Tree(_e824.unnamed_1.root, _e773.w));
+                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e815.unnamed.root, _e776.y), _e815.unnamed_1);
+                            let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_bvh_traverse_Tree(_e776.z, _e821.unnamed_1.first_primitive));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_bvh_traverse_Tree(_e827.unnamed_1.root, _e776.w));
                         }
-                        let _e832 = phi_1428_;
-                        phi_1434_ = 0u;
-                        phi_1437_ = 0u;
+                        let _e835 = phi_1345_;
+                        phi_1351_ = 0u;
+                        phi_1354_ = 0u;
                         loop {
-                            let _e842 = phi_1434_;
-                            let _e844 = phi_1437_;
-                            local_6 = _e844;
-                            local_7 = _e844;
-                            local_8 = _e844;
-                            let _e845 = (_e842 < 8u);
-                            if _e845 {
-                                let _e847 = (_e842 >> bitcast<u32>(2i));
-                                let _e848 = (_e842 & 3u);
-                                if (_e847 == 0u) {
-                                    phi_1451_ = _e694.unnamed.root;
+                            let _e845 = phi_1351_;
+                            let _e847 = phi_1354_;
+                            local_3 = _e847;
+                            local_4 = _e847;
+                            local_5 = _e847;
+                            let _e848 = (_e845 < 8u);
+                            if _e848 {
+                                let _e850 = (_e845 >> bitcast<u32>(2i));
+                                let _e851 = (_e845 & 3u);
+                                if (_e850 == 0u) {
+                                    phi_1368_ = _e697.unnamed.root;
                                 } else {
-                                    phi_1451_ = _e694.unnamed.first_primitive;
+                                    phi_1368_ = _e697.unnamed.first_primitive;
                                 }
-                                let _e851 = phi_1451_;
-                                if (_e847 == 0u) {
-                                    phi_1461_ = _e763.unnamed.root;
+                                let _e854 = phi_1368_;
+                                if (_e850 == 0u) {
+                                    phi_1378_ = _e766.unnamed.root;
                                 } else {
-                                    phi_1461_ = _e763.unnamed.first_primitive;
+                                    phi_1378_ = _e766.unnamed.first_primitive;
                                 }
-                                let _e860 = phi_1461_;
-                                if (_e847 == 0u) {
-                                    phi_1471_ = _e832.unnamed.root;
+                                let _e863 = phi_1378_;
+                                if (_e850 == 0u) {
+                                    phi_1388_ = _e835.unnamed.root;
                                 } else {
-                                    phi_1471_ = _e832.unnamed.first_primitive;
+                                    phi_1388_ = _e835.unnamed.first_primitive;
                                 }
-                                let _e869 = phi_1471_;
-                                let _e882 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e851 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e604) + (_e625 - _e368)), ((f32(((_e860 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e605) + (_e626 - _e369)));
-                                let _e883 = core_intrinsics_maximum_number_nsz_f32_(_e882, ((f32(((_e869 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e370)));
-                                if (_e847 == 0u) {
-                                    phi_1489_ = _e694.unnamed_1.root;
+                                let _e872 = phi_1388_;
+                                let _e885 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e854 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e371)), ((f32(((_e863 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 - _e372)));
+                                let _e886 = core_intrinsics_maximum_number_nsz_f32_(_e885, ((f32(((_e872 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e373)));
+                                if (_e850 == 0u) {
+                                    phi_1406_ = _e697.unnamed_1.root;
                                 } else {
-                                    phi_1489_ = _e694.unnamed_1.first_primitive;
+                                    phi_1406_ = _e697.unnamed_1.first_primitive;
                                 }
-                                let _e886 = phi_1489_;
-                                if (_e847 == 0u) {
-                                    phi_1499_ = _e763.unnamed_1.root;
+                                let _e889 = phi_1406_;
+                                if (_e850 == 0u) {
+                                    phi_1416_ = _e766.unnamed_1.root;
                                 } else {
-                                    phi_1499_ = _e763.unnamed_1.first_primitive;
+                                    phi_1416_ = _e766.unnamed_1.first_primitive;
                                 }
-                                let _e895 = phi_1499_;
-                                if (_e847 == 0u) {
-                                    phi_1509_ = _e832.unnamed_1.root;
+                                let _e898 = phi_1416_;
+                                if (_e850 == 0u) {
+                                    phi_1426_ = _e835.unnamed_1.root;
                                 } else {
-                                    phi_1509_ = _e832.unnamed_1.first_primitive;
+                                    phi_1426_ = _e835.unnamed_1.first_primitive;
                                 }
-                                let _e904 = phi_1509_;
-                                let _e917 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e886 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e604) + (_e625 + _e368)), ((f32(((_e895 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e605) + (_e626 + _e369)));
-                                let _e918 = core_intrinsics_minimum_number_nsz_f32_(_e917, ((f32(((_e904 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e606) + (_e627 + _e370)));
-                                if (_e883 <= _e918) {
-                                    if (_e883 <= _e568.t) {
-                                        if (_e918 >= _e153.tmin) {
-                                            if (_e847 == 0u) {
-                                                let _e925 = nodes.member[(0u + _e570)].links[2u];
-                                                phi_1545_ = _e925;
+                                let _e907 = phi_1426_;
+                                let _e920 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e889 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e371)), ((f32(((_e898 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 + _e372)));
+                                let _e921 = core_intrinsics_minimum_number_nsz_f32_(_e920, ((f32(((_e907 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 + _e373)));
+                                if (_e886 <= _e921) {
+                                    if (_e886 <= _e571.t) {
+                                        if (_e921 >= _e156.tmin) {
+                                            if (_e850 == 0u) {
+                                                let _e928 = nodes.member[(0u + _e573)].links[2u];
+                                                phi_1462_ = _e928;
                                             } else {
-                                                let _e928 = nodes.member[(0u + _e570)].links[3u];
-                                                phi_1545_ = _e928;
+                                                let _e931 = nodes.member[(0u + _e573)].links[3u];
+                                                phi_1462_ = _e931;
                                             }
-                                            let _e930 = phi_1545_;
-                                            let _e935 = ((_e930 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u);
-                                            let _e936 = (_e935 & 31u);
-                                            if (_e936 >= 24u) {
-                                                phi_1558_ = (24u + ((_e936 - 24u) ^ _e430));
+                                            let _e933 = phi_1462_;
+                                            let _e938 = ((_e933 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u);
+                                            let _e939 = (_e938 & 31u);
+                                            if (_e939 >= 24u) {
+                                                phi_1475_ = (24u + ((_e939 - 24u) ^ _e433));
                                             } else {
-                                                phi_1558_ = _e936;
+                                                phi_1475_ = _e939;
                                             }
-                                            let _e942 = phi_1558_;
-                                            phi_1563_ = (_e844 | ((_e935 >> bitcast<u32>(5i)) << bitcast<u32>((_e942 & 31u))));
+                                            let _e945 = phi_1475_;
+                                            phi_1480_ = (_e847 | ((_e938 >> bitcast<u32>(5i)) << bitcast<u32>((_e945 & 31u))));
                                         } else {
-                                            phi_1563_ = _e844;
+                                            phi_1480_ = _e847;
                                         }
-                                        let _e950 = phi_1563_;
-                                        phi_1564_ = _e950;
+                                        let _e953 = phi_1480_;
+                                        phi_1481_ = _e953;
                                     } else {
-                                        phi_1564_ = _e844;
+                                        phi_1481_ = _e847;
                                     }
-                                    let _e952 = phi_1564_;
-                                    phi_1565_ = _e952;
+                                    let _e955 = phi_1481_;
+                                    phi_1482_ = _e955;
                                 } else {
-                                    phi_1565_ = _e844;
+                                    phi_1482_ = _e847;
                                 }
-                                let _e954 = phi_1565_;
-                                phi_1435_ = (_e842 + 1u);
-                                phi_1438_ = _e954;
+                                let _e957 = phi_1482_;
+                                phi_1352_ = (_e845 + 1u);
+                                phi_1355_ = _e957;
                             } else {
-                                phi_1435_ = u32();
-                                phi_1438_ = u32();
+                                phi_1352_ = u32();
+                                phi_1355_ = u32();
                             }
-                            let _e957 = phi_1435_;
-                            let _e959 = phi_1438_;
+                            let _e960 = phi_1352_;
+                            let _e962 = phi_1355_;
                             continue;
                             continuing {
-                                phi_1434_ = _e957;
-                                phi_1437_ = _e959;
-                                break if !(_e845);
+                                phi_1351_ = _e960;
+                                phi_1354_ = _e962;
+                                break if !(_e848);
                             }
                         }
-                        let _e963 = nodes.member[(0u + _e570)].links[0u];
-                        let _e967 = nodes.member[(0u + _e570)].frame[3u];
-                        let _e971 = local_6;
-                        if ((_e971 & 4278190080u) == 0u) {
+                        let _e966 = nodes.member[(0u + _e573)].links[0u];
+                        let _e970 = nodes.member[(0u + _e573)].frame[3u];
+                        let _e974 = local_3;
+                        if ((_e974 & 4278190080u) == 0u) {
                         } else {
-                            let _e975 = local_5.group_mask;
-                            if ((_e975 & 4278190080u) == 0u) {
+                            let _e978 = local_2.group_mask;
+                            if ((_e978 & 4278190080u) == 0u) {
                             } else {
-                                let _e979 = local_5.len;
-                                if (_e979 < 32u) {
-                                    let _e982 = local_5.group;
-                                    let _e984 = local_5.len;
-                                    if (_e984 < 32u) {
+                                let _e982 = local_2.len;
+                                if (_e982 < 32u) {
+                                    let _e985 = local_2.group;
+                                    let _e987 = local_2.len;
+                                    if (_e987 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_5.first[(0u + _e984)] = _e982;
-                                    let _e990 = local_5.group_mask;
-                                    let _e992 = local_5.len;
-                                    if (_e992 < 32u) {
+                                    local_2.first[(0u + _e987)] = _e985;
+                                    let _e993 = local_2.group_mask;
+                                    let _e995 = local_2.len;
+                                    if (_e995 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_5.mask[(0u + _e992)] = _e990;
-                                    let _e999 = local_5.len;
-                                    local_5.len = (_e999 + 1u);
+                                    local_2.mask[(0u + _e995)] = _e993;
+                                    let _e1002 = local_2.len;
+                                    local_2.len = (_e1002 + 1u);
                                 }
                             }
-                            local_5.group = (0u + _e963);
-                            let _e1003 = local_7;
-                            local_5.group_mask = ((_e1003 & 4278190080u) | (_e967 >> bitcast<u32>(24i)));
+                            local_2.group = (0u + _e966);
+                            let _e1006 = local_4;
+                            local_2.group_mask = ((_e1006 & 4278190080u) | (_e970 >> bitcast<u32>(24i)));
                         }
-                        let _e1008 = local_8;
-                        phi_1623_ = _e568;
-                        phi_1626_ = (_e1008 & 16777215u);
+                        let _e1011 = local_5;
+                        phi_1540_ = _e571;
+                        phi_1543_ = (_e1011 & 16777215u);
                         loop {
-                            let _e1011 = phi_1623_;
-                            let _e1013 = phi_1626_;
-                            local_9 = _e1011;
-                            if (_e1013 == 0u) {
-                                phi_1624_ = lt_bvh_Hit();
-                                phi_1627_ = u32();
-                                phi_2355_ = false;
+                            let _e1014 = phi_1540_;
+                            let _e1016 = phi_1543_;
+                            local_6 = _e1014;
+                            if (_e1016 == 0u) {
+                                phi_1541_ = lt_bvh_Hit();
+                                phi_1544_ = u32();
+                                phi_2304_ = false;
                             } else {
-                                let _e1017 = nodes.member[(0u + _e570)].links[1u];
-                                let _e1022 = ((0u + _e1017) + select(firstTrailingBit(_e1013), 32u, (_e1013 == 0u)));
-                                if (_e1022 < _e77) {
+                                let _e1020 = nodes.member[(0u + _e573)].links[1u];
+                                let _e1025 = ((0u + _e1020) + select(firstTrailingBit(_e1016), 32u, (_e1016 == 0u)));
+                                if (_e1025 < _e80) {
                                 } else {
                                     return;
                                 }
-                                let _e1029 = triangles.member[(0u + _e1022)].v0_;
-                                let _e1032 = (_e1029.x - _e153.origin.x);
-                                let _e1035 = (_e1029.y - _e153.origin.y);
-                                let _e1038 = (_e1029.z - _e153.origin.z);
-                                if (_e395 == 0u) {
-                                    phi_1673_ = vec3<f32>(_e1035, _e1038, _e1032);
+                                let _e1032 = triangles.member[(0u + _e1025)].v0_;
+                                let _e1035 = (_e1032.x - _e156.origin.x);
+                                let _e1038 = (_e1032.y - _e156.origin.y);
+                                let _e1041 = (_e1032.z - _e156.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1590_ = vec3<f32>(_e1038, _e1041, _e1035);
                                 } else {
-                                    if (_e395 == 1u) {
-                                        phi_1672_ = vec3<f32>(_e1038, _e1032, _e1035);
+                                    if (_e398 == 1u) {
+                                        phi_1589_ = vec3<f32>(_e1041, _e1035, _e1038);
                                     } else {
-                                        phi_1672_ = (_e1029 - _e153.origin);
+                                        phi_1589_ = (_e1032 - _e156.origin);
                                     }
-                                    let _e1045 = phi_1672_;
-                                    phi_1673_ = _e1045;
+                                    let _e1048 = phi_1589_;
+                                    phi_1590_ = _e1048;
                                 }
-                                let _e1047 = phi_1673_;
-                                let _e1051 = (_e1047.x - (_e414 * _e1047.z));
-                                let _e1055 = (_e1047.y - (_e417 * _e1047.z));
-                                let _e1059 = triangles.member[(0u + _e1022)].v1_;
-                                let _e1062 = (_e1059.x - _e153.origin.x);
-                                let _e1065 = (_e1059.y - _e153.origin.y);
-                                let _e1068 = (_e1059.z - _e153.origin.z);
-                                if (_e395 == 0u) {
-                                    phi_1707_ = vec3<f32>(_e1065, _e1068, _e1062);
+                                let _e1050 = phi_1590_;
+                                let _e1054 = (_e1050.x - (_e417 * _e1050.z));
+                                let _e1058 = (_e1050.y - (_e420 * _e1050.z));
+                                let _e1062 = triangles.member[(0u + _e1025)].v1_;
+                                let _e1065 = (_e1062.x - _e156.origin.x);
+                                let _e1068 = (_e1062.y - _e156.origin.y);
+                                let _e1071 = (_e1062.z - _e156.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1624_ = vec3<f32>(_e1068, _e1071, _e1065);
                                 } else {
-                                    if (_e395 == 1u) {
-                                        phi_1706_ = vec3<f32>(_e1068, _e1062, _e1065);
+                                    if (_e398 == 1u) {
+                                        phi_1623_ = vec3<f32>(_e1071, _e1065, _e1068);
                                     } else {
-                                        phi_1706_ = (_e1059 - _e153.origin);
+                                        phi_1623_ = (_e1062 - _e156.origin);
                                     }
-                                    let _e1075 = phi_1706_;
-                                    phi_1707_ = _e1075;
+                                    let _e1078 = phi_1623_;
+                                    phi_1624_ = _e1078;
                                 }
-                                let _e1077 = phi_1707_;
-                                let _e1081 = (_e1077.x - (_e414 * _e1077.z));
-                                let _e1085 = (_e1077.y - (_e417 * _e1077.z));
-                                let _e1089 = triangles.member[(0u + _e1022)].v2_;
-                                let _e1092 = (_e1089.x - _e153.origin.x);
-                                let _e1095 = (_e1089.y - _e153.origin.y);
-                                let _e1098 = (_e1089.z - _e153.origin.z);
-                                if (_e395 == 0u) {
-                                    phi_1741_ = vec3<f32>(_e1095, _e1098, _e1092);
+                                let _e1080 = phi_1624_;
+                                let _e1084 = (_e1080.x - (_e417 * _e1080.z));
+                                let _e1088 = (_e1080.y - (_e420 * _e1080.z));
+                                let _e1092 = triangles.member[(0u + _e1025)].v2_;
+                                let _e1095 = (_e1092.x - _e156.origin.x);
+                                let _e1098 = (_e1092.y - _e156.origin.y);
+                                let _e1101 = (_e1092.z - _e156.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1658_ = vec3<f32>(_e1098, _e1101, _e1095);
                                 } else {
-                                    if (_e395 == 1u) {
-                                        phi_1740_ = vec3<f32>(_e1098, _e1092, _e1095);
+                                    if (_e398 == 1u) {
+                                        phi_1657_ = vec3<f32>(_e1101, _e1095, _e1098);
                                     } else {
-                                        phi_1740_ = (_e1089 - _e153.origin);
+                                        phi_1657_ = (_e1092 - _e156.origin);
                                     }
-                                    let _e1105 = phi_1740_;
-                                    phi_1741_ = _e1105;
+                                    let _e1108 = phi_1657_;
+                                    phi_1658_ = _e1108;
                                 }
-                                let _e1107 = phi_1741_;
-                                let _e1111 = (_e1107.x - (_e414 * _e1107.z));
-                                let _e1115 = (_e1107.y - (_e417 * _e1107.z));
-                                if (_e1081 < _e1111) {
-                                    phi_1762_ = true;
+                                let _e1110 = phi_1658_;
+                                let _e1114 = (_e1110.x - (_e417 * _e1110.z));
+                                let _e1118 = (_e1110.y - (_e420 * _e1110.z));
+                                if (_e1084 < _e1114) {
+                                    phi_1679_ = true;
                                 } else {
-                                    if (_e1081 == _e1111) {
-                                        phi_1761_ = (_e1085 < _e1115);
+                                    if (_e1084 == _e1114) {
+                                        phi_1678_ = (_e1088 < _e1118);
                                     } else {
-                                        phi_1761_ = false;
+                                        phi_1678_ = false;
                                     }
-                                    let _e1122 = phi_1761_;
-                                    phi_1762_ = _e1122;
+                                    let _e1125 = phi_1678_;
+                                    phi_1679_ = _e1125;
                                 }
-                                let _e1124 = phi_1762_;
-                                if _e1124 {
-                                    phi_1766_ = _e1115;
-                                    phi_1767_ = _e1111;
-                                    phi_1768_ = _e1085;
-                                    phi_1769_ = _e1081;
+                                let _e1127 = phi_1679_;
+                                if _e1127 {
+                                    phi_1683_ = _e1118;
+                                    phi_1684_ = _e1114;
+                                    phi_1685_ = _e1088;
+                                    phi_1686_ = _e1084;
                                 } else {
-                                    phi_1766_ = _e1085;
-                                    phi_1767_ = _e1081;
-                                    phi_1768_ = _e1115;
-                                    phi_1769_ = _e1111;
+                                    phi_1683_ = _e1088;
+                                    phi_1684_ = _e1084;
+                                    phi_1685_ = _e1118;
+                                    phi_1686_ = _e1114;
                                 }
-                                let _e1126 = phi_1766_;
-                                let _e1128 = phi_1767_;
-                                let _e1130 = phi_1768_;
-                                let _e1132 = phi_1769_;
-                                let _e1135 = ((_e1132 * _e1126) - (_e1130 * _e1128));
-                                if _e1124 {
-                                    phi_1777_ = -(_e1135);
+                                let _e1129 = phi_1683_;
+                                let _e1131 = phi_1684_;
+                                let _e1133 = phi_1685_;
+                                let _e1135 = phi_1686_;
+                                let _e1138 = ((_e1135 * _e1129) - (_e1133 * _e1131));
+                                if _e1127 {
+                                    phi_1694_ = -(_e1138);
                                 } else {
-                                    phi_1777_ = _e1135;
+                                    phi_1694_ = _e1138;
                                 }
-                                let _e1138 = phi_1777_;
-                                if (_e1111 < _e1051) {
-                                    phi_1788_ = true;
+                                let _e1141 = phi_1694_;
+                                if (_e1114 < _e1054) {
+                                    phi_1705_ = true;
                                 } else {
-                                    if (_e1111 == _e1051) {
-                                        phi_1787_ = (_e1115 < _e1055);
+                                    if (_e1114 == _e1054) {
+                                        phi_1704_ = (_e1118 < _e1058);
                                     } else {
-                                        phi_1787_ = false;
+                                        phi_1704_ = false;
                                     }
-                                    let _e1143 = phi_1787_;
-                                    phi_1788_ = _e1143;
+                                    let _e1146 = phi_1704_;
+                                    phi_1705_ = _e1146;
                                 }
-                                let _e1145 = phi_1788_;
-                                if _e1145 {
-                                    phi_1792_ = _e1055;
-                                    phi_1793_ = _e1051;
-                                    phi_1794_ = _e1115;
-                                    phi_1795_ = _e1111;
+                                let _e1148 = phi_1705_;
+                                if _e1148 {
+                                    phi_1709_ = _e1058;
+                                    phi_1710_ = _e1054;
+                                    phi_1711_ = _e1118;
+                                    phi_1712_ = _e1114;
                                 } else {
-                                    phi_1792_ = _e1115;
-                                    phi_1793_ = _e1111;
-                                    phi_1794_ = _e1055;
-                                    phi_1795_ = _e1051;
+                                    phi_1709_ = _e1118;
+                                    phi_1710_ = _e1114;
+                                    phi_1711_ = _e1058;
+                                    phi_1712_ = _e1054;
                                 }
-                                let _e1147 = phi_1792_;
-                                let _e1149 = phi_1793_;
-                                let _e1151 = phi_1794_;
-                                let _e1153 = phi_1795_;
-                                let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
-                                if _e1145 {
-                                    phi_1803_ = -(_e1156);
+                                let _e1150 = phi_1709_;
+                                let _e1152 = phi_1710_;
+                                let _e1154 = phi_1711_;
+                                let _e1156 = phi_1712_;
+                                let _e1159 = ((_e1156 * _e1150) - (_e1154 * _e1152));
+                                if _e1148 {
+                                    phi_1720_ = -(_e1159);
                                 } else {
-                                    phi_1803_ = _e1156;
+                                    phi_1720_ = _e1159;
                                 }
-                                let _e1159 = phi_1803_;
-                                if (_e1051 < _e1081) {
-                                    phi_1814_ = true;
+                                let _e1162 = phi_1720_;
+                                if (_e1054 < _e1084) {
+                                    phi_1731_ = true;
                                 } else {
-                                    if (_e1051 == _e1081) {
-                                        phi_1813_ = (_e1055 < _e1085);
+                                    if (_e1054 == _e1084) {
+                                        phi_1730_ = (_e1058 < _e1088);
                                     } else {
-                                        phi_1813_ = false;
+                                        phi_1730_ = false;
                                     }
-                                    let _e1164 = phi_1813_;
-                                    phi_1814_ = _e1164;
+                                    let _e1167 = phi_1730_;
+                                    phi_1731_ = _e1167;
                                 }
-                                let _e1166 = phi_1814_;
-                                if _e1166 {
-                                    phi_1818_ = _e1085;
-                                    phi_1819_ = _e1081;
-                                    phi_1820_ = _e1055;
-                                    phi_1821_ = _e1051;
+                                let _e1169 = phi_1731_;
+                                if _e1169 {
+                                    phi_1735_ = _e1088;
+                                    phi_1736_ = _e1084;
+                                    phi_1737_ = _e1058;
+                                    phi_1738_ = _e1054;
                                 } else {
-                                    phi_1818_ = _e1055;
-                                    phi_1819_ = _e1051;
-                                    phi_1820_ = _e1085;
-                                    phi_1821_ = _e1081;
+                                    phi_1735_ = _e1058;
+                                    phi_1736_ = _e1054;
+                                    phi_1737_ = _e1088;
+                                    phi_1738_ = _e1084;
                                 }
-                                let _e1168 = phi_1818_;
-                                let _e1170 = phi_1819_;
-                                let _e1172 = phi_1820_;
-                                let _e1174 = phi_1821_;
-                                let _e1177 = ((_e1174 * _e1168) - (_e1172 * _e1170));
-                                if _e1166 {
-                                    phi_1829_ = -(_e1177);
+                                let _e1171 = phi_1735_;
+                                let _e1173 = phi_1736_;
+                                let _e1175 = phi_1737_;
+                                let _e1177 = phi_1738_;
+                                let _e1180 = ((_e1177 * _e1171) - (_e1175 * _e1173));
+                                if _e1169 {
+                                    phi_1746_ = -(_e1180);
                                 } else {
-                                    phi_1829_ = _e1177;
+                                    phi_1746_ = _e1180;
                                 }
-                                let _e1180 = phi_1829_;
-                                if (_e1138 >= 0f) {
-                                    if (_e1159 >= 0f) {
-                                        if (_e1180 >= 0f) {
-                                            phi_1844_ = ((_e1138 + _e1159) + _e1180);
-                                            phi_1845_ = false;
+                                let _e1183 = phi_1746_;
+                                if (_e1141 >= 0f) {
+                                    if (_e1162 >= 0f) {
+                                        if (_e1183 >= 0f) {
+                                            phi_1761_ = ((_e1141 + _e1162) + _e1183);
+                                            phi_1762_ = false;
                                         } else {
-                                            phi_1844_ = f32();
-                                            phi_1845_ = true;
+                                            phi_1761_ = f32();
+                                            phi_1762_ = true;
                                         }
-                                        let _e1187 = phi_1844_;
-                                        let _e1189 = phi_1845_;
-                                        phi_1846_ = _e1187;
-                                        phi_1847_ = _e1189;
+                                        let _e1190 = phi_1761_;
+                                        let _e1192 = phi_1762_;
+                                        phi_1763_ = _e1190;
+                                        phi_1764_ = _e1192;
                                     } else {
-                                        phi_1846_ = f32();
-                                        phi_1847_ = true;
+                                        phi_1763_ = f32();
+                                        phi_1764_ = true;
                                     }
-                                    let _e1191 = phi_1846_;
-                                    let _e1193 = phi_1847_;
-                                    phi_1848_ = _e1191;
-                                    phi_1849_ = _e1193;
+                                    let _e1194 = phi_1763_;
+                                    let _e1196 = phi_1764_;
+                                    phi_1765_ = _e1194;
+                                    phi_1766_ = _e1196;
                                 } else {
-                                    phi_1848_ = f32();
-                                    phi_1849_ = true;
+                                    phi_1765_ = f32();
+                                    phi_1766_ = true;
                                 }
-                                let _e1195 = phi_1848_;
-                                let _e1197 = phi_1849_;
-                                if _e1197 {
-                                    if (_e1138 <= 0f) {
-                                        if (_e1159 <= 0f) {
-                                            let _e1200 = (_e1180 <= 0f);
-                                            if _e1200 {
+                                let _e1198 = phi_1765_;
+                                let _e1200 = phi_1766_;
+                                if _e1200 {
+                                    if (_e1141 <= 0f) {
+                                        if (_e1162 <= 0f) {
+                                            let _e1203 = (_e1183 <= 0f);
+                                            if _e1203 {
                                             }
-                                            phi_1867_ = ((_e1138 + _e1159) + _e1180);
-                                            phi_1868_ = false;
-                                            phi_1869_ = _e1200;
+                                            phi_1784_ = ((_e1141 + _e1162) + _e1183);
+                                            phi_1785_ = false;
+                                            phi_1786_ = _e1203;
                                         } else {
-                                            phi_1867_ = f32();
-                                            phi_1868_ = true;
-                                            phi_1869_ = false;
+                                            phi_1784_ = f32();
+                                            phi_1785_ = true;
+                                            phi_1786_ = false;
                                         }
-                                        let _e1204 = phi_1867_;
-                                        let _e1206 = phi_1868_;
-                                        let _e1208 = phi_1869_;
-                                        phi_1870_ = _e1204;
-                                        phi_1871_ = _e1206;
-                                        phi_1872_ = _e1208;
+                                        let _e1207 = phi_1784_;
+                                        let _e1209 = phi_1785_;
+                                        let _e1211 = phi_1786_;
+                                        phi_1787_ = _e1207;
+                                        phi_1788_ = _e1209;
+                                        phi_1789_ = _e1211;
                                     } else {
-                                        phi_1870_ = f32();
-                                        phi_1871_ = true;
-                                        phi_1872_ = false;
+                                        phi_1787_ = f32();
+                                        phi_1788_ = true;
+                                        phi_1789_ = false;
                                     }
-                                    let _e1210 = phi_1870_;
-                                    let _e1212 = phi_1871_;
-                                    let _e1214 = phi_1872_;
-                                    if _e1212 {
-                                        phi_1876_ = false;
+                                    let _e1213 = phi_1787_;
+                                    let _e1215 = phi_1788_;
+                                    let _e1217 = phi_1789_;
+                                    if _e1215 {
+                                        phi_1793_ = false;
                                     } else {
-                                        phi_1876_ = _e1214;
+                                        phi_1793_ = _e1217;
                                     }
-                                    let _e1216 = phi_1876_;
-                                    phi_1877_ = _e1210;
-                                    phi_1878_ = _e1216;
+                                    let _e1219 = phi_1793_;
+                                    phi_1794_ = _e1213;
+                                    phi_1795_ = _e1219;
                                 } else {
-                                    phi_1877_ = _e1195;
-                                    phi_1878_ = true;
+                                    phi_1794_ = _e1198;
+                                    phi_1795_ = true;
                                 }
-                                let _e1218 = phi_1877_;
-                                let _e1220 = phi_1878_;
-                                if _e1220 {
-                                    let _e1221 = (_e1218 == 0f);
-                                    if _e1221 {
-                                        phi_2082_ = lt_bvh_triangle_Intersection();
+                                let _e1221 = phi_1794_;
+                                let _e1223 = phi_1795_;
+                                if _e1223 {
+                                    let _e1224 = (_e1221 == 0f);
+                                    if _e1224 {
+                                        phi_2016_ = lt_bvh_triangle_Intersection();
+                                        phi_2017_ = false;
                                     } else {
-                                        let _e1227 = ((((_e1138 * (_e419 * _e1047.z)) + (_e1159 * (_e419 * _e1077.z))) + (_e1180 * (_e419 * _e1107.z))) / _e1218);
-                                        let _e1229 = triangles.member[(0u + _e1022)].v0_;
-                                        let _e1231 = triangles.member[(0u + _e1022)].v1_;
-                                        if (_e1229.x < _e1231.x) {
-                                            phi_1904_ = _e1229.x;
+                                        let _e1230 = ((((_e1141 * (_e422 * _e1050.z)) + (_e1162 * (_e422 * _e1080.z))) + (_e1183 * (_e422 * _e1110.z))) / _e1221);
+                                        if (_e1230 > _e156.tmin) {
+                                            if (_e1230 < _e156.tmax) {
+                                                let _e1236 = triangles.member[(0u + _e1025)].v0_;
+                                                let _e1238 = triangles.member[(0u + _e1025)].v1_;
+                                                if (_e1236.x < _e1238.x) {
+                                                    phi_1831_ = _e1236.x;
+                                                } else {
+                                                    phi_1831_ = _e1238.x;
+                                                }
+                                                let _e1245 = phi_1831_;
+                                                if (_e1236.y < _e1238.y) {
+                                                    phi_1840_ = _e1236.y;
+                                                } else {
+                                                    phi_1840_ = _e1238.y;
+                                                }
+                                                let _e1252 = phi_1840_;
+                                                if (_e1236.z < _e1238.z) {
+                                                    phi_1849_ = _e1236.z;
+                                                } else {
+                                                    phi_1849_ = _e1238.z;
+                                                }
+                                                let _e1259 = phi_1849_;
+                                                let _e1261 = triangles.member[(0u + _e1025)].v2_;
+                                                if (_e1245 < _e1261.x) {
+                                                    phi_1858_ = _e1245;
+                                                } else {
+                                                    phi_1858_ = _e1261.x;
+                                                }
+                                                let _e1266 = phi_1858_;
+                                                if (_e1252 < _e1261.y) {
+                                                    phi_1865_ = _e1252;
+                                                } else {
+                                                    phi_1865_ = _e1261.y;
+                                                }
+                                                let _e1271 = phi_1865_;
+                                                if (_e1259 < _e1261.z) {
+                                                    phi_1872_ = _e1259;
+                                                } else {
+                                                    phi_1872_ = _e1261.z;
+                                                }
+                                                let _e1276 = phi_1872_;
+                                                let _e1278 = triangles.member[(0u + _e1025)].v0_;
+                                                let _e1280 = triangles.member[(0u + _e1025)].v1_;
+                                                if (_e1278.x > _e1280.x) {
+                                                    phi_1885_ = _e1278.x;
+                                                } else {
+                                                    phi_1885_ = _e1280.x;
+                                                }
+                                                let _e1287 = phi_1885_;
+                                                if (_e1278.y > _e1280.y) {
+                                                    phi_1894_ = _e1278.y;
+                                                } else {
+                                                    phi_1894_ = _e1280.y;
+                                                }
+                                                let _e1294 = phi_1894_;
+                                                if (_e1278.z > _e1280.z) {
+                                                    phi_1903_ = _e1278.z;
+                                                } else {
+                                                    phi_1903_ = _e1280.z;
+                                                }
+                                                let _e1301 = phi_1903_;
+                                                let _e1303 = triangles.member[(0u + _e1025)].v2_;
+                                                if (_e1287 > _e1303.x) {
+                                                    phi_1912_ = _e1287;
+                                                } else {
+                                                    phi_1912_ = _e1303.x;
+                                                }
+                                                let _e1308 = phi_1912_;
+                                                if (_e1294 > _e1303.y) {
+                                                    phi_1919_ = _e1294;
+                                                } else {
+                                                    phi_1919_ = _e1303.y;
+                                                }
+                                                let _e1313 = phi_1919_;
+                                                if (_e1301 > _e1303.z) {
+                                                    phi_1926_ = _e1301;
+                                                } else {
+                                                    phi_1926_ = _e1303.z;
+                                                }
+                                                let _e1318 = phi_1926_;
+                                                let _e1325 = ((_e1266 - _e156.origin.x) * _e310);
+                                                let _e1326 = ((_e1271 - _e156.origin.y) * _e322);
+                                                let _e1327 = ((_e1276 - _e156.origin.z) * _e334);
+                                                let _e1334 = ((_e1308 - _e156.origin.x) * _e310);
+                                                let _e1335 = ((_e1313 - _e156.origin.y) * _e322);
+                                                let _e1336 = ((_e1318 - _e156.origin.z) * _e334);
+                                                if (_e1325 < _e1334) {
+                                                    phi_1949_ = _e1325;
+                                                } else {
+                                                    phi_1949_ = _e1334;
+                                                }
+                                                let _e1339 = phi_1949_;
+                                                if (_e1326 < _e1335) {
+                                                    phi_1954_ = _e1326;
+                                                } else {
+                                                    phi_1954_ = _e1335;
+                                                }
+                                                let _e1342 = phi_1954_;
+                                                if (_e1327 < _e1336) {
+                                                    phi_1959_ = _e1327;
+                                                } else {
+                                                    phi_1959_ = _e1336;
+                                                }
+                                                let _e1345 = phi_1959_;
+                                                if (_e1325 > _e1334) {
+                                                    phi_1967_ = _e1325;
+                                                } else {
+                                                    phi_1967_ = _e1334;
+                                                }
+                                                let _e1351 = phi_1967_;
+                                                if (_e1326 > _e1335) {
+                                                    phi_1972_ = _e1326;
+                                                } else {
+                                                    phi_1972_ = _e1335;
+                                                }
+                                                let _e1354 = phi_1972_;
+                                                if (_e1327 > _e1336) {
+                                                    phi_1977_ = _e1327;
+                                                } else {
+                                                    phi_1977_ = _e1336;
+                                                }
+                                                let _e1357 = phi_1977_;
+                                                let _e1361 = core_intrinsics_maximum_number_nsz_f32_((_e1339 - _e378), (_e1342 - _e379));
+                                                let _e1362 = core_intrinsics_maximum_number_nsz_f32_(_e1361, (_e1345 - _e380));
+                                                let _e1363 = core_intrinsics_minimum_number_nsz_f32_((_e1351 + _e378), (_e1354 + _e379));
+                                                let _e1364 = core_intrinsics_minimum_number_nsz_f32_(_e1363, (_e1357 + _e380));
+                                                if (_e1362 > -300000000000000000000000000000000000000f) {
+                                                    phi_1989_ = _e1362;
+                                                } else {
+                                                    phi_1989_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1367 = phi_1989_;
+                                                if (_e1364 < 300000000000000000000000000000000000000f) {
+                                                    phi_1994_ = _e1364;
+                                                } else {
+                                                    phi_1994_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1370 = phi_1994_;
+                                                if (_e1230 < _e1367) {
+                                                    phi_1999_ = _e1367;
+                                                } else {
+                                                    phi_1999_ = _e1230;
+                                                }
+                                                let _e1373 = phi_1999_;
+                                                if (_e1373 > _e1370) {
+                                                    phi_2004_ = _e1370;
+                                                } else {
+                                                    phi_2004_ = _e1373;
+                                                }
+                                                let _e1376 = phi_2004_;
+                                                phi_2009_ = lt_bvh_triangle_Intersection(_e1376, (_e1162 / _e1221), (_e1183 / _e1221), (_e1367 <= _e1370));
+                                                phi_2010_ = false;
+                                            } else {
+                                                phi_2009_ = lt_bvh_triangle_Intersection();
+                                                phi_2010_ = true;
+                                            }
+                                            let _e1382 = phi_2009_;
+                                            let _e1384 = phi_2010_;
+                                            phi_2011_ = _e1382;
+                                            phi_2012_ = _e1384;
                                         } else {
-                                            phi_1904_ = _e1231.x;
+                                            phi_2011_ = lt_bvh_triangle_Intersection();
+                                            phi_2012_ = true;
                                         }
-                                        let _e1238 = phi_1904_;
-                                        if (_e1229.y < _e1231.y) {
-                                            phi_1913_ = _e1229.y;
-                                        } else {
-                                            phi_1913_ = _e1231.y;
+                                        let _e1386 = phi_2011_;
+                                        let _e1388 = phi_2012_;
+                                        if _e1388 {
                                         }
-                                        let _e1245 = phi_1913_;
-                                        if (_e1229.z < _e1231.z) {
-                                            phi_1922_ = _e1229.z;
-                                        } else {
-                                            phi_1922_ = _e1231.z;
-                                        }
-                                        let _e1252 = phi_1922_;
-                                        let _e1254 = triangles.member[(0u + _e1022)].v2_;
-                                        if (_e1238 < _e1254.x) {
-                                            phi_1931_ = _e1238;
-                                        } else {
-                                            phi_1931_ = _e1254.x;
-                                        }
-                                        let _e1259 = phi_1931_;
-                                        if (_e1245 < _e1254.y) {
-                                            phi_1938_ = _e1245;
-                                        } else {
-                                            phi_1938_ = _e1254.y;
-                                        }
-                                        let _e1264 = phi_1938_;
-                                        if (_e1252 < _e1254.z) {
-                                            phi_1945_ = _e1252;
-                                        } else {
-                                            phi_1945_ = _e1254.z;
-                                        }
-                                        let _e1269 = phi_1945_;
-                                        let _e1271 = triangles.member[(0u + _e1022)].v0_;
-                                        let _e1273 = triangles.member[(0u + _e1022)].v1_;
-                                        if (_e1271.x > _e1273.x) {
-                                            phi_1958_ = _e1271.x;
-                                        } else {
-                                            phi_1958_ = _e1273.x;
-                                        }
-                                        let _e1280 = phi_1958_;
-                                        if (_e1271.y > _e1273.y) {
-                                            phi_1967_ = _e1271.y;
-                                        } else {
-                                            phi_1967_ = _e1273.y;
-                                        }
-                                        let _e1287 = phi_1967_;
-                                        if (_e1271.z > _e1273.z) {
-                                            phi_1976_ = _e1271.z;
-                                        } else {
-                                            phi_1976_ = _e1273.z;
-                                        }
-                                        let _e1294 = phi_1976_;
-                                        let _e1296 = triangles.member[(0u + _e1022)].v2_;
-                                        if (_e1280 > _e1296.x) {
-                                            phi_1985_ = _e1280;
-                                        } else {
-                                            phi_1985_ = _e1296.x;
-                                        }
-                                        let _e1301 = phi_1985_;
-                                        if (_e1287 > _e1296.y) {
-                                            phi_1992_ = _e1287;
-                                        } else {
-                                            phi_1992_ = _e1296.y;
-                                        }
-                                        let _e1306 = phi_1992_;
-                                        if (_e1294 > _e1296.z) {
-                                            phi_1999_ = _e1294;
-                                        } else {
-                                            phi_1999_ = _e1296.z;
-                                        }
-                                        let _e1311 = phi_1999_;
-                                        let _e1318 = ((_e1259 - _e153.origin.x) * _e307);
-                                        let _e1319 = ((_e1264 - _e153.origin.y) * _e319);
-                                        let _e1320 = ((_e1269 - _e153.origin.z) * _e331);
-                                        let _e1327 = ((_e1301 - _e153.origin.x) * _e307);
-                                        let _e1328 = ((_e1306 - _e153.origin.y) * _e319);
-                                        let _e1329 = ((_e1311 - _e153.origin.z) * _e331);
-                                        if (_e1318 < _e1327) {
-                                            phi_2022_ = _e1318;
-                                        } else {
-                                            phi_2022_ = _e1327;
-                                        }
-                                        let _e1332 = phi_2022_;
-                                        if (_e1319 < _e1328) {
-                                            phi_2027_ = _e1319;
-                                        } else {
-                                            phi_2027_ = _e1328;
-                                        }
-                                        let _e1335 = phi_2027_;
-                                        if (_e1320 < _e1329) {
-                                            phi_2032_ = _e1320;
-                                        } else {
-                                            phi_2032_ = _e1329;
-                                        }
-                                        let _e1338 = phi_2032_;
-                                        if (_e1318 > _e1327) {
-                                            phi_2040_ = _e1318;
-                                        } else {
-                                            phi_2040_ = _e1327;
-                                        }
-                                        let _e1344 = phi_2040_;
-                                        if (_e1319 > _e1328) {
-                                            phi_2045_ = _e1319;
-                                        } else {
-                                            phi_2045_ = _e1328;
-                                        }
-                                        let _e1347 = phi_2045_;
-                                        if (_e1320 > _e1329) {
-                                            phi_2050_ = _e1320;
-                                        } else {
-                                            phi_2050_ = _e1329;
-                                        }
-                                        let _e1350 = phi_2050_;
-                                        let _e1354 = core_intrinsics_maximum_number_nsz_f32_((_e1332 - _e375), (_e1335 - _e376));
-                                        let _e1355 = core_intrinsics_maximum_number_nsz_f32_(_e1354, (_e1338 - _e377));
-                                        let _e1356 = core_intrinsics_minimum_number_nsz_f32_((_e1344 + _e375), (_e1347 + _e376));
-                                        let _e1357 = core_intrinsics_minimum_number_nsz_f32_(_e1356, (_e1350 + _e377));
-                                        if (_e1355 > -300000000000000000000000000000000000000f) {
-                                            phi_2062_ = _e1355;
-                                        } else {
-                                            phi_2062_ = -300000000000000000000000000000000000000f;
-                                        }
-                                        let _e1360 = phi_2062_;
-                                        if (_e1357 < 300000000000000000000000000000000000000f) {
-                                            phi_2067_ = _e1357;
-                                        } else {
-                                            phi_2067_ = 300000000000000000000000000000000000000f;
-                                        }
-                                        let _e1363 = phi_2067_;
-                                        if (_e1227 < _e1360) {
-                                            phi_2072_ = _e1360;
-                                        } else {
-                                            phi_2072_ = _e1227;
-                                        }
-                                        let _e1366 = phi_2072_;
-                                        if (_e1366 > _e1363) {
-                                            phi_2077_ = _e1363;
-                                        } else {
-                                            phi_2077_ = _e1366;
-                                        }
-                                        let _e1369 = phi_2077_;
-                                        phi_2082_ = lt_bvh_triangle_Intersection(_e1369, (_e1159 / _e1218), (_e1180 / _e1218), (_e1360 <= _e1363));
+                                        phi_2016_ = _e1386;
+                                        phi_2017_ = _e1388;
                                     }
-                                    let _e1375 = phi_2082_;
-                                    phi_2083_ = _e1375;
-                                    phi_2084_ = _e1221;
+                                    let _e1390 = phi_2016_;
+                                    let _e1392 = phi_2017_;
+                                    phi_2018_ = _e1390;
+                                    phi_2019_ = _e1224;
+                                    phi_2020_ = _e1392;
                                 } else {
-                                    phi_2083_ = lt_bvh_triangle_Intersection();
-                                    phi_2084_ = true;
+                                    phi_2018_ = lt_bvh_triangle_Intersection();
+                                    phi_2019_ = true;
+                                    phi_2020_ = false;
                                 }
-                                let _e1377 = phi_2083_;
-                                let _e1379 = phi_2084_;
-                                if _e1379 {
-                                    phi_2088_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1394 = phi_2018_;
+                                let _e1396 = phi_2019_;
+                                let _e1398 = phi_2020_;
+                                if _e1396 {
+                                    phi_2024_ = true;
                                 } else {
-                                    phi_2088_ = _e1377;
+                                    phi_2024_ = _e1398;
                                 }
-                                let _e1381 = phi_2088_;
-                                if _e1381.is_hit {
-                                    if (_e1381.t > _e153.tmin) {
-                                        if (_e1381.t < _e1011.t) {
-                                            phi_2137_ = true;
+                                let _e1400 = phi_2024_;
+                                if _e1400 {
+                                    phi_2028_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2028_ = _e1394;
+                                }
+                                let _e1402 = phi_2028_;
+                                if _e1402.is_hit {
+                                    if (_e1402.t > _e156.tmin) {
+                                        if (_e1402.t < _e1014.t) {
+                                            phi_2077_ = true;
                                         } else {
-                                            if (_e1381.t == _e1011.t) {
-                                                if (_e1011.triangle != 4294967295u) {
-                                                    if (_e1022 < _e1011.triangle) {
-                                                        phi_2128_ = true;
+                                            if (_e1402.t == _e1014.t) {
+                                                if (_e1014.triangle != 4294967295u) {
+                                                    if (_e1025 < _e1014.triangle) {
+                                                        phi_2068_ = true;
                                                     } else {
-                                                        if (_e1022 == _e1011.triangle) {
-                                                            phi_2127_ = (4294967295u < _e1011.instance);
+                                                        if (_e1025 == _e1014.triangle) {
+                                                            phi_2067_ = (4294967295u < _e1014.instance);
                                                         } else {
-                                                            phi_2127_ = false;
+                                                            phi_2067_ = false;
                                                         }
-                                                        let _e1400 = phi_2127_;
-                                                        phi_2128_ = _e1400;
+                                                        let _e1421 = phi_2067_;
+                                                        phi_2068_ = _e1421;
                                                     }
-                                                    let _e1402 = phi_2128_;
-                                                    phi_2129_ = _e1402;
-                                                    phi_2130_ = false;
+                                                    let _e1423 = phi_2068_;
+                                                    phi_2069_ = _e1423;
+                                                    phi_2070_ = false;
                                                 } else {
-                                                    phi_2129_ = bool();
-                                                    phi_2130_ = true;
+                                                    phi_2069_ = bool();
+                                                    phi_2070_ = true;
                                                 }
-                                                let _e1404 = phi_2129_;
-                                                let _e1406 = phi_2130_;
-                                                phi_2131_ = _e1404;
-                                                phi_2132_ = _e1406;
+                                                let _e1425 = phi_2069_;
+                                                let _e1427 = phi_2070_;
+                                                phi_2071_ = _e1425;
+                                                phi_2072_ = _e1427;
                                             } else {
-                                                phi_2131_ = bool();
-                                                phi_2132_ = true;
+                                                phi_2071_ = bool();
+                                                phi_2072_ = true;
                                             }
-                                            let _e1408 = phi_2131_;
-                                            let _e1410 = phi_2132_;
-                                            if _e1410 {
-                                                phi_2136_ = false;
+                                            let _e1429 = phi_2071_;
+                                            let _e1431 = phi_2072_;
+                                            if _e1431 {
+                                                phi_2076_ = false;
                                             } else {
-                                                phi_2136_ = _e1408;
+                                                phi_2076_ = _e1429;
                                             }
-                                            let _e1412 = phi_2136_;
-                                            phi_2137_ = _e1412;
+                                            let _e1433 = phi_2076_;
+                                            phi_2077_ = _e1433;
                                         }
-                                        let _e1414 = phi_2137_;
-                                        if _e1414 {
-                                            let _e1416 = triangles.member[(0u + _e1022)].i0_;
-                                            if ((_e1416 & 2147483648u) == 0u) {
-                                                phi_2343_ = true;
+                                        let _e1435 = phi_2077_;
+                                        if _e1435 {
+                                            let _e1437 = triangles.member[(0u + _e1025)].i0_;
+                                            if ((_e1437 & 2147483648u) == 0u) {
+                                                phi_2292_ = true;
                                             } else {
-                                                if (_e1022 < _e77) {
+                                                if (_e1025 < _e80) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1425 = triangles.member[(0u + _e1022)].i0_;
-                                                let _e1426 = (_e1425 & 2147483647u);
-                                                let _e1428 = triangles.member[(0u + _e1022)].i1_;
-                                                let _e1430 = triangles.member[(0u + _e1022)].i2_;
-                                                if (_e1426 < _e80) {
+                                                let _e1446 = triangles.member[(0u + _e1025)].i0_;
+                                                let _e1447 = (_e1446 & 2147483647u);
+                                                let _e1449 = triangles.member[(0u + _e1025)].i1_;
+                                                let _e1451 = triangles.member[(0u + _e1025)].i2_;
+                                                if (_e1447 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1434 = vertices.member[(0u + _e1426)];
-                                                if (_e1428 < _e80) {
+                                                let _e1455 = vertices.member[(0u + _e1447)];
+                                                if (_e1449 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1438 = vertices.member[(0u + _e1428)];
-                                                if (_e1430 < _e80) {
+                                                let _e1459 = vertices.member[(0u + _e1449)];
+                                                if (_e1451 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1442 = vertices.member[(0u + _e1430)];
-                                                let _e1443 = array<abi_Vertex, 3>(_e1434, _e1438, _e1442);
-                                                local_4 = array<abi_Vertex, 3>(abi_Vertex(_e1443[0].u, _e1443[0].v, _e1443[0].normal, _e1443[0].color, _e1443[0].material), abi_Vertex(_e1443[1].u, _e1443[1].v, _e1443[1].normal, _e1443[1].color, _e1443[1].material), abi_Vertex(_e1443[2].u, _e1443[2].v, _e1443[2].normal, _e1443[2].color, _e1443[2].material));
-                                                let _e1468 = local_4[0u].material;
-                                                if (_e1468 < _e83) {
+                                                let _e1463 = vertices.member[(0u + _e1451)];
+                                                let _e1464 = array<abi_Vertex, 3>(_e1455, _e1459, _e1463);
+                                                if (_e1464[0].material < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1472 = materials.member[(0u + _e1468)];
-                                                if ((_e1472.flags & 0u) == 0u) {
-                                                    let _e1476 = lt_shaders_surface_barycentric_weights(_e1381.u, _e1381.v);
-                                                    if (_e1472.cutoff <= 0f) {
-                                                        phi_2338_ = true;
+                                                let _e1470 = materials.member[(0u + _e1464[0].material)];
+                                                if ((_e1470.flags & 0u) == 0u) {
+                                                    let _e1475 = ((1f - _e1402.u) - _e1402.v);
+                                                    if (_e1470.cutoff <= 0f) {
+                                                        phi_2287_ = true;
                                                     } else {
-                                                        let _e1481 = lt_shaders_surface_vertex_color((&local_4), _e1476);
-                                                        let _e1483 = (_e1472.base_color.w * _e1481.w);
-                                                        if (_e1472.alpha_size == 0u) {
-                                                            phi_2335_ = _e1483;
+                                                        let _e1506 = (_e1470.base_color.w * ((((f32((_e1464[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1475) + ((f32((_e1464[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1402.u)) + ((f32((_e1464[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1402.v)));
+                                                        if (_e1470.alpha_size == 0u) {
+                                                            phi_2284_ = _e1506;
                                                         } else {
-                                                            local_3.offset = _e1472.alpha_offset;
-                                                            local_3.size = _e1472.alpha_size;
-                                                            local_3.flags = _e1472.flags;
-                                                            let _e1492 = lt_shaders_surface_texture_coordinate((&local_4), _e1476);
-                                                            let _e1495 = _lt_shaders_texture_TextureView_quad((&local_3), _e1492.x, _e1492.y);
-                                                            let _e1499 = (_e1495.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1499 < _e89) {
+                                                            local_1.offset = _e1470.alpha_offset;
+                                                            local_1.size = _e1470.alpha_size;
+                                                            local_1.flags = _e1470.flags;
+                                                            let _e1537 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1464[0].u * _e1475) + (_e1464[1].u * _e1402.u)) + (_e1464[2].u * _e1402.v)), (((_e1464[0].v * _e1475) + (_e1464[1].v * _e1402.u)) + (_e1464[2].v * _e1402.v)));
+                                                            let _e1541 = (_e1537.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1541 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1503 = alpha_texels.member[(0u + _e1499)];
-                                                            let _e1519 = (_e1495.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1519 < _e89) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1523 = alpha_texels.member[(0u + _e1519)];
-                                                            let _e1540 = (_e1495.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1540 < _e89) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1544 = alpha_texels.member[(0u + _e1540)];
-                                                            let _e1561 = (_e1495.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1561 < _e89) {
+                                                            let _e1545 = alpha_texels.member[(0u + _e1541)];
+                                                            let _e1561 = (_e1537.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1561 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
                                                             let _e1565 = alpha_texels.member[(0u + _e1561)];
-                                                            phi_2335_ = (_e1483 * (((((f32(((_e1503 >> bitcast<u32>((((_e1495.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1495.weights.x) + ((f32(((_e1523 >> bitcast<u32>((((_e1495.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1495.weights.y)) + ((f32(((_e1544 >> bitcast<u32>((((_e1495.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1495.weights.z)) + ((f32(((_e1565 >> bitcast<u32>((((_e1495.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1495.weights.w)));
+                                                            let _e1582 = (_e1537.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1582 < _e92) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1586 = alpha_texels.member[(0u + _e1582)];
+                                                            let _e1603 = (_e1537.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1603 < _e92) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1607 = alpha_texels.member[(0u + _e1603)];
+                                                            phi_2284_ = (_e1506 * (((((f32(((_e1545 >> bitcast<u32>((((_e1537.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1537.weights.x) + ((f32(((_e1565 >> bitcast<u32>((((_e1537.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1537.weights.y)) + ((f32(((_e1586 >> bitcast<u32>((((_e1537.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1537.weights.z)) + ((f32(((_e1607 >> bitcast<u32>((((_e1537.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1537.weights.w)));
                                                         }
-                                                        let _e1581 = phi_2335_;
-                                                        phi_2338_ = (_e1581 >= _e1472.cutoff);
+                                                        let _e1623 = phi_2284_;
+                                                        phi_2287_ = (_e1623 >= _e1470.cutoff);
                                                     }
-                                                    let _e1585 = phi_2338_;
-                                                    phi_2339_ = _e1585;
+                                                    let _e1627 = phi_2287_;
+                                                    phi_2288_ = _e1627;
                                                 } else {
-                                                    phi_2339_ = false;
+                                                    phi_2288_ = false;
                                                 }
-                                                let _e1587 = phi_2339_;
-                                                if _e1587 {
+                                                let _e1629 = phi_2288_;
+                                                if _e1629 {
                                                 }
-                                                phi_2343_ = _e1587;
+                                                phi_2292_ = _e1629;
                                             }
-                                            let _e1589 = phi_2343_;
-                                            if _e1589 {
-                                                phi_2351_ = lt_bvh_Hit(_e1381.t, _e1381.u, _e1381.v, _e1022, 4294967295u);
+                                            let _e1631 = phi_2292_;
+                                            if _e1631 {
+                                                phi_2300_ = lt_bvh_Hit(_e1402.t, _e1402.u, _e1402.v, _e1025, 4294967295u);
                                             } else {
-                                                phi_2351_ = _e1011;
+                                                phi_2300_ = _e1014;
                                             }
-                                            let _e1595 = phi_2351_;
-                                            phi_2352_ = _e1595;
+                                            let _e1637 = phi_2300_;
+                                            phi_2301_ = _e1637;
                                         } else {
-                                            phi_2352_ = _e1011;
+                                            phi_2301_ = _e1014;
                                         }
-                                        let _e1597 = phi_2352_;
-                                        phi_2353_ = _e1597;
+                                        let _e1639 = phi_2301_;
+                                        phi_2302_ = _e1639;
                                     } else {
-                                        phi_2353_ = _e1011;
+                                        phi_2302_ = _e1014;
                                     }
-                                    let _e1599 = phi_2353_;
-                                    phi_2354_ = _e1599;
+                                    let _e1641 = phi_2302_;
+                                    phi_2303_ = _e1641;
                                 } else {
-                                    phi_2354_ = _e1011;
+                                    phi_2303_ = _e1014;
                                 }
-                                let _e1601 = phi_2354_;
-                                phi_1624_ = _e1601;
-                                phi_1627_ = (_e1013 & (_e1013 - 1u));
-                                phi_2355_ = true;
+                                let _e1643 = phi_2303_;
+                                phi_1541_ = _e1643;
+                                phi_1544_ = (_e1016 & (_e1016 - 1u));
+                                phi_2304_ = true;
                             }
-                            let _e1603 = phi_1624_;
-                            let _e1605 = phi_1627_;
-                            let _e1607 = phi_2355_;
+                            let _e1645 = phi_1541_;
+                            let _e1647 = phi_1544_;
+                            let _e1649 = phi_2304_;
                             continue;
                             continuing {
-                                phi_1623_ = _e1603;
-                                phi_1626_ = _e1605;
-                                break if !(_e1607);
+                                phi_1540_ = _e1645;
+                                phi_1543_ = _e1647;
+                                break if !(_e1649);
                             }
                         }
-                        let _e1610 = local_5.group_mask;
-                        if ((_e1610 & 4278190080u) == 0u) {
-                            let _e1614 = local_5.len;
-                            if (_e1614 == 0u) {
-                                phi_2394_ = false;
+                        let _e1652 = local_2.group_mask;
+                        if ((_e1652 & 4278190080u) == 0u) {
+                            let _e1656 = local_2.len;
+                            if (_e1656 == 0u) {
+                                phi_2343_ = false;
                             } else {
-                                let _e1618 = local_5.len;
-                                local_5.len = (_e1618 - 1u);
-                                let _e1621 = local_5.len;
-                                if (_e1621 < 32u) {
+                                let _e1660 = local_2.len;
+                                local_2.len = (_e1660 - 1u);
+                                let _e1663 = local_2.len;
+                                if (_e1663 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1626 = local_5.first[(0u + _e1621)];
-                                local_5.group = _e1626;
-                                let _e1629 = local_5.len;
-                                if (_e1629 < 32u) {
+                                let _e1668 = local_2.first[(0u + _e1663)];
+                                local_2.group = _e1668;
+                                let _e1671 = local_2.len;
+                                if (_e1671 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1634 = local_5.mask[(0u + _e1629)];
-                                local_5.group_mask = _e1634;
-                                phi_2394_ = true;
+                                let _e1676 = local_2.mask[(0u + _e1671)];
+                                local_2.group_mask = _e1676;
+                                phi_2343_ = true;
                             }
-                            let _e1637 = phi_2394_;
-                            phi_2395_ = _e1637;
+                            let _e1679 = phi_2343_;
+                            phi_2344_ = _e1679;
                         } else {
-                            phi_2395_ = true;
+                            phi_2344_ = true;
                         }
-                        let _e1639 = phi_2395_;
-                        if _e1639 {
-                            let _e1641 = local_5.group_mask;
-                            let _e1647 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1641)), 32u, (_e1641 == 0u)));
-                            let _e1651 = local_5.group_mask;
-                            let _e1665 = local_5.group_mask;
-                            local_5.group_mask = (_e1665 & ~((1u << bitcast<u32>((_e1647 & 31u)))));
-                            let _e1668 = local_5.group;
-                            phi_2426_ = (_e1668 + countOneBits(((_e1651 & ~((4294967295u << bitcast<u32>((((_e1647 - 24u) ^ _e430) & 31u))))) & 255u)));
+                        let _e1681 = phi_2344_;
+                        if _e1681 {
+                            let _e1683 = local_2.group_mask;
+                            let _e1689 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1683)), 32u, (_e1683 == 0u)));
+                            let _e1693 = local_2.group_mask;
+                            let _e1707 = local_2.group_mask;
+                            local_2.group_mask = (_e1707 & ~((1u << bitcast<u32>((_e1689 & 31u)))));
+                            let _e1710 = local_2.group;
+                            phi_2375_ = (_e1710 + countOneBits(((_e1693 & ~((4294967295u << bitcast<u32>((((_e1689 - 24u) ^ _e433) & 31u))))) & 255u)));
                         } else {
-                            phi_2426_ = 4294967295u;
+                            phi_2375_ = 4294967295u;
                         }
-                        let _e1671 = phi_2426_;
-                        let _e2216 = local_9;
-                        phi_1287_ = _e2216;
-                        phi_1290_ = _e1671;
+                        let _e1713 = phi_2375_;
+                        let _e2554 = local_6;
+                        phi_1204_ = _e2554;
+                        phi_1207_ = _e1713;
                     } else {
-                        phi_1287_ = lt_bvh_Hit();
-                        phi_1290_ = u32();
+                        phi_1204_ = lt_bvh_Hit();
+                        phi_1207_ = u32();
                     }
-                    let _e1673 = phi_1287_;
-                    let _e1675 = phi_1290_;
+                    let _e1715 = phi_1204_;
+                    let _e1717 = phi_1207_;
                     continue;
                     continuing {
-                        phi_1286_ = _e1673;
-                        phi_1289_ = _e1675;
-                        break if !(_e571);
+                        phi_1203_ = _e1715;
+                        phi_1206_ = _e1717;
+                        break if !(_e574);
                     }
                 }
-                let _e2220 = local_10;
-                phi_2427_ = _e2220;
+                let _e2558 = local_7;
+                phi_2376_ = _e2558;
             }
-            let _e1678 = phi_2427_;
-            phi_2428_ = _e1678;
-            phi_2429_ = _e225;
+            let _e1720 = phi_2376_;
+            phi_2377_ = _e1720;
+            phi_2378_ = _e228;
         } else {
-            phi_2428_ = lt_bvh_Hit();
-            phi_2429_ = true;
+            phi_2377_ = lt_bvh_Hit();
+            phi_2378_ = true;
         }
-        let _e1680 = phi_2428_;
-        let _e1682 = phi_2429_;
-        if _e1682 {
-            phi_2433_ = _e155;
+        let _e1722 = phi_2377_;
+        let _e1724 = phi_2378_;
+        if _e1724 {
+            phi_2382_ = _e158;
         } else {
-            phi_2433_ = _e1680;
+            phi_2382_ = _e1722;
         }
-        let _e1684 = phi_2433_;
-        if (_e1684.triangle != 4294967295u) {
-            let _e1689 = lt_shaders_surface_barycentric_weights(_e1684.u, _e1684.v);
-            if (_e1684.triangle < _e77) {
+        let _e1726 = phi_2382_;
+        if (_e1726.triangle != 4294967295u) {
+            let _e1732 = ((1f - _e1726.u) - _e1726.v);
+            if (_e1726.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1694 = triangles.member[(0u + _e1684.triangle)];
-            let _e1722 = (((_e1694.v0_.x * _e1689.x) + (_e1694.v1_.x * _e1689.y)) + (_e1694.v2_.x * _e1689.z));
-            let _e1723 = (((_e1694.v0_.y * _e1689.x) + (_e1694.v1_.y * _e1689.y)) + (_e1694.v2_.y * _e1689.z));
-            let _e1724 = (((_e1694.v0_.z * _e1689.x) + (_e1694.v1_.z * _e1689.y)) + (_e1694.v2_.z * _e1689.z));
-            let _e1727 = abs(_e1694.v0_.x);
-            let _e1729 = abs(_e1694.v0_.y);
-            let _e1731 = abs(_e1694.v0_.z);
-            let _e1733 = abs(_e1694.v1_.x);
-            let _e1735 = abs(_e1694.v1_.y);
-            let _e1737 = abs(_e1694.v1_.z);
-            if (_e1727 > _e1733) {
-                phi_2499_ = _e1727;
+            let _e1737 = triangles.member[(0u + _e1726.triangle)];
+            let _e1762 = (((_e1737.v0_.x * _e1732) + (_e1737.v1_.x * _e1726.u)) + (_e1737.v2_.x * _e1726.v));
+            let _e1763 = (((_e1737.v0_.y * _e1732) + (_e1737.v1_.y * _e1726.u)) + (_e1737.v2_.y * _e1726.v));
+            let _e1764 = (((_e1737.v0_.z * _e1732) + (_e1737.v1_.z * _e1726.u)) + (_e1737.v2_.z * _e1726.v));
+            let _e1767 = abs(_e1737.v0_.x);
+            let _e1769 = abs(_e1737.v0_.y);
+            let _e1771 = abs(_e1737.v0_.z);
+            let _e1773 = abs(_e1737.v1_.x);
+            let _e1775 = abs(_e1737.v1_.y);
+            let _e1777 = abs(_e1737.v1_.z);
+            if (_e1767 > _e1773) {
+                phi_2446_ = _e1767;
             } else {
-                phi_2499_ = _e1733;
+                phi_2446_ = _e1773;
             }
-            let _e1740 = phi_2499_;
-            if (_e1729 > _e1735) {
-                phi_2504_ = _e1729;
+            let _e1780 = phi_2446_;
+            if (_e1769 > _e1775) {
+                phi_2451_ = _e1769;
             } else {
-                phi_2504_ = _e1735;
+                phi_2451_ = _e1775;
             }
-            let _e1743 = phi_2504_;
-            if (_e1731 > _e1737) {
-                phi_2509_ = _e1731;
+            let _e1783 = phi_2451_;
+            if (_e1771 > _e1777) {
+                phi_2456_ = _e1771;
             } else {
-                phi_2509_ = _e1737;
+                phi_2456_ = _e1777;
             }
-            let _e1746 = phi_2509_;
-            let _e1748 = abs(_e1694.v2_.x);
-            let _e1750 = abs(_e1694.v2_.y);
-            let _e1752 = abs(_e1694.v2_.z);
-            if (_e1740 > _e1748) {
-                phi_2520_ = _e1740;
+            let _e1786 = phi_2456_;
+            let _e1788 = abs(_e1737.v2_.x);
+            let _e1790 = abs(_e1737.v2_.y);
+            let _e1792 = abs(_e1737.v2_.z);
+            if (_e1780 > _e1788) {
+                phi_2467_ = _e1780;
             } else {
-                phi_2520_ = _e1748;
+                phi_2467_ = _e1788;
             }
-            let _e1755 = phi_2520_;
-            if (_e1743 > _e1750) {
-                phi_2525_ = _e1743;
+            let _e1795 = phi_2467_;
+            if (_e1783 > _e1790) {
+                phi_2472_ = _e1783;
             } else {
-                phi_2525_ = _e1750;
+                phi_2472_ = _e1790;
             }
-            let _e1758 = phi_2525_;
-            if (_e1746 > _e1752) {
-                phi_2530_ = _e1746;
+            let _e1798 = phi_2472_;
+            if (_e1786 > _e1792) {
+                phi_2477_ = _e1786;
             } else {
-                phi_2530_ = _e1752;
+                phi_2477_ = _e1792;
             }
-            let _e1761 = phi_2530_;
-            let _e1764 = (_e1694.v1_.x - _e1694.v0_.x);
-            let _e1767 = (_e1694.v1_.y - _e1694.v0_.y);
-            let _e1770 = (_e1694.v1_.z - _e1694.v0_.z);
-            let _e1773 = (_e1694.v2_.x - _e1694.v0_.x);
-            let _e1776 = (_e1694.v2_.y - _e1694.v0_.y);
-            let _e1779 = (_e1694.v2_.z - _e1694.v0_.z);
-            let _e1783 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1767), abs(_e1770));
-            let _e1784 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1764), _e1783);
-            let _e1785 = (_e1764 / _e1784);
-            let _e1786 = (_e1767 / _e1784);
-            let _e1787 = (_e1770 / _e1784);
-            let _e1791 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1776), abs(_e1779));
-            let _e1792 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1773), _e1791);
-            let _e1793 = (_e1773 / _e1792);
-            let _e1794 = (_e1776 / _e1792);
-            let _e1795 = (_e1779 / _e1792);
-            let _e1798 = ((_e1786 * _e1795) - (_e1794 * _e1787));
-            let _e1801 = ((_e1787 * _e1793) - (_e1795 * _e1785));
-            let _e1804 = ((_e1785 * _e1794) - (_e1793 * _e1786));
-            let _e1806 = p.member.eye;
-            let _e1815 = (1f / sqrt((((_e1798 * _e1798) + (_e1801 * _e1801)) + (_e1804 * _e1804))));
-            let _e1820 = lt_shaders_camera_facing(vec3<f32>((_e1798 * _e1815), (_e1801 * _e1815), (_e1804 * _e1815)), (_e1806 - vec3<f32>(_e1722, _e1723, _e1724)));
-            if (_e1684.triangle < _e77) {
+            let _e1801 = phi_2477_;
+            let _e1804 = (_e1737.v1_.x - _e1737.v0_.x);
+            let _e1807 = (_e1737.v1_.y - _e1737.v0_.y);
+            let _e1810 = (_e1737.v1_.z - _e1737.v0_.z);
+            let _e1813 = (_e1737.v2_.x - _e1737.v0_.x);
+            let _e1816 = (_e1737.v2_.y - _e1737.v0_.y);
+            let _e1819 = (_e1737.v2_.z - _e1737.v0_.z);
+            let _e1823 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1807), abs(_e1810));
+            let _e1824 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1804), _e1823);
+            let _e1825 = (_e1804 / _e1824);
+            let _e1826 = (_e1807 / _e1824);
+            let _e1827 = (_e1810 / _e1824);
+            let _e1831 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1816), abs(_e1819));
+            let _e1832 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1813), _e1831);
+            let _e1833 = (_e1813 / _e1832);
+            let _e1834 = (_e1816 / _e1832);
+            let _e1835 = (_e1819 / _e1832);
+            let _e1838 = ((_e1826 * _e1835) - (_e1834 * _e1827));
+            let _e1841 = ((_e1827 * _e1833) - (_e1835 * _e1825));
+            let _e1844 = ((_e1825 * _e1834) - (_e1833 * _e1826));
+            let _e1846 = p.member.eye;
+            let _e1859 = (1f / sqrt((((_e1838 * _e1838) + (_e1841 * _e1841)) + (_e1844 * _e1844))));
+            let _e1860 = (_e1838 * _e1859);
+            let _e1861 = (_e1841 * _e1859);
+            let _e1862 = (_e1844 * _e1859);
+            if ((((_e1860 * (_e1846.x - _e1762)) + (_e1861 * (_e1846.y - _e1763))) + (_e1862 * (_e1846.z - _e1764))) < 0f) {
+                phi_2553_ = vec3<f32>(-(_e1860), -(_e1861), -(_e1862));
+            } else {
+                phi_2553_ = vec3<f32>(_e1860, _e1861, _e1862);
+            }
+            let _e1875 = phi_2553_;
+            if (_e1726.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1825 = triangles.member[(0u + _e1684.triangle)];
-            let _e1827 = (_e1825.i0_ & 2147483647u);
-            if (_e1827 < _e80) {
+            let _e1880 = triangles.member[(0u + _e1726.triangle)];
+            let _e1882 = (_e1880.i0_ & 2147483647u);
+            if (_e1882 < _e83) {
             } else {
                 return;
             }
-            let _e1833 = vertices.member[(0u + _e1827)];
-            if (_e1825.i1_ < _e80) {
+            let _e1888 = vertices.member[(0u + _e1882)];
+            if (_e1880.i1_ < _e83) {
             } else {
                 return;
             }
-            let _e1837 = vertices.member[(0u + _e1825.i1_)];
-            if (_e1825.i2_ < _e80) {
+            let _e1892 = vertices.member[(0u + _e1880.i1_)];
+            if (_e1880.i2_ < _e83) {
             } else {
                 return;
             }
-            let _e1841 = vertices.member[(0u + _e1825.i2_)];
-            let _e1842 = array<abi_Vertex, 3>(_e1833, _e1837, _e1841);
-            local_1 = array<abi_Vertex, 3>(abi_Vertex(_e1842[0].u, _e1842[0].v, _e1842[0].normal, _e1842[0].color, _e1842[0].material), abi_Vertex(_e1842[1].u, _e1842[1].v, _e1842[1].normal, _e1842[1].color, _e1842[1].material), abi_Vertex(_e1842[2].u, _e1842[2].v, _e1842[2].normal, _e1842[2].color, _e1842[2].material));
-            let _e1867 = local_1[0u].material;
-            if (_e1867 < _e83) {
+            let _e1896 = vertices.member[(0u + _e1880.i2_)];
+            let _e1897 = array<abi_Vertex, 3>(_e1888, _e1892, _e1896);
+            if (_e1897[0].material < _e86) {
             } else {
                 return;
             }
-            let _e1871 = materials.member[(0u + _e1867)];
-            local_2 = abi_Material(_e1871.base_color, _e1871.cutoff, _e1871.flags, _e1871.alpha_offset, _e1871.alpha_size, _e1871.color_offset, _e1871.color_size, _e1871.pad);
-            let _e1881 = lt_shaders_surface_plain_color((&local_2), (&local_1), _e1689);
-            let _e1883 = local_2.color_size;
-            if (_e1883 == 0u) {
-                phi_2763_ = vec3<f32>(1f, 1f, 1f);
+            let _e1903 = materials.member[(0u + _e1897[0].material)];
+            let _e1920 = (1f / 255f);
+            let _e1939 = (1f / 255f);
+            let _e1961 = (1f / 255f);
+            if (_e1903.color_size == 0u) {
+                phi_2796_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                let _e1886 = local_2.color_offset;
-                let _e1888 = local_2.color_size;
-                let _e1890 = local_2.flags;
-                local.offset = _e1886;
-                local.size = _e1888;
-                local.flags = _e1890;
-                let _e1894 = lt_shaders_surface_texture_coordinate((&local_1), _e1689);
-                let _e1897 = _lt_shaders_texture_TextureView_quad((&local), _e1894.x, _e1894.y);
-                if (_e1897.indices[0] < _e92) {
+                local.offset = _e1903.color_offset;
+                local.size = _e1903.color_size;
+                local.flags = _e1903.flags;
+                let _e2004 = _lt_shaders_texture_TextureView_quad((&local), (((_e1897[0].u * _e1732) + (_e1897[1].u * _e1726.u)) + (_e1897[2].u * _e1726.v)), (((_e1897[0].v * _e1732) + (_e1897[1].v * _e1726.u)) + (_e1897[2].v * _e1726.v)));
+                if (_e2004.indices[0] < _e95) {
                 } else {
                     return;
                 }
-                let _e1903 = color_texels.member[(0u + _e1897.indices[0])];
-                let _e1904 = lt_shaders_texture_unorm_bytes(_e1903);
-                if (_e1897.indices[1] < _e92) {
+                let _e2010 = color_texels.member[(0u + _e2004.indices[0])];
+                let _e2021 = (1f / 255f);
+                if (_e2004.indices[1] < _e95) {
                 } else {
                     return;
                 }
-                let _e1918 = color_texels.member[(0u + _e1897.indices[1])];
-                let _e1919 = lt_shaders_texture_unorm_bytes(_e1918);
-                if (_e1897.indices[2] < _e92) {
+                let _e2035 = color_texels.member[(0u + _e2004.indices[1])];
+                let _e2046 = (1f / 255f);
+                if (_e2004.indices[2] < _e95) {
                 } else {
                     return;
                 }
-                let _e1936 = color_texels.member[(0u + _e1897.indices[2])];
-                let _e1937 = lt_shaders_texture_unorm_bytes(_e1936);
-                if (_e1897.indices[3] < _e92) {
+                let _e2063 = color_texels.member[(0u + _e2004.indices[2])];
+                let _e2074 = (1f / 255f);
+                if (_e2004.indices[3] < _e95) {
                 } else {
                     return;
                 }
-                let _e1954 = color_texels.member[(0u + _e1897.indices[3])];
-                let _e1955 = lt_shaders_texture_unorm_bytes(_e1954);
-                let _e1964 = ((((_e1904.x * _e1897.weights.x) + (_e1919.x * _e1897.weights.y)) + (_e1937.x * _e1897.weights.z)) + (_e1955.x * _e1897.weights.w));
-                let _e1965 = ((((_e1904.y * _e1897.weights.x) + (_e1919.y * _e1897.weights.y)) + (_e1937.y * _e1897.weights.z)) + (_e1955.y * _e1897.weights.w));
-                let _e1966 = ((((_e1904.z * _e1897.weights.x) + (_e1919.z * _e1897.weights.y)) + (_e1937.z * _e1897.weights.z)) + (_e1955.z * _e1897.weights.w));
-                phi_2763_ = vec3<f32>((_e1964 * _e1964), (_e1965 * _e1965), (_e1966 * _e1966));
+                let _e2091 = color_texels.member[(0u + _e2004.indices[3])];
+                let _e2102 = (1f / 255f);
+                let _e2111 = (((((f32((_e2010 & 255u)) * _e2021) * _e2004.weights.x) + ((f32((_e2035 & 255u)) * _e2046) * _e2004.weights.y)) + ((f32((_e2063 & 255u)) * _e2074) * _e2004.weights.z)) + ((f32((_e2091 & 255u)) * _e2102) * _e2004.weights.w));
+                let _e2112 = (((((f32(((_e2010 >> bitcast<u32>(8i)) & 255u)) * _e2021) * _e2004.weights.x) + ((f32(((_e2035 >> bitcast<u32>(8i)) & 255u)) * _e2046) * _e2004.weights.y)) + ((f32(((_e2063 >> bitcast<u32>(8i)) & 255u)) * _e2074) * _e2004.weights.z)) + ((f32(((_e2091 >> bitcast<u32>(8i)) & 255u)) * _e2102) * _e2004.weights.w));
+                let _e2113 = (((((f32(((_e2010 >> bitcast<u32>(16i)) & 255u)) * _e2021) * _e2004.weights.x) + ((f32(((_e2035 >> bitcast<u32>(16i)) & 255u)) * _e2046) * _e2004.weights.y)) + ((f32(((_e2063 >> bitcast<u32>(16i)) & 255u)) * _e2074) * _e2004.weights.z)) + ((f32(((_e2091 >> bitcast<u32>(16i)) & 255u)) * _e2102) * _e2004.weights.w));
+                phi_2796_ = vec3<f32>((_e2111 * _e2111), (_e2112 * _e2112), (_e2113 * _e2113));
             }
-            let _e1972 = phi_2763_;
-            let _e1974 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1758, _e1761);
-            let _e1975 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1755, _e1974);
-            let _e1977 = local_2.flags;
-            if ((_e1977 & 2u) == 0u) {
-                phi_2774_ = 0u;
+            let _e2119 = phi_2796_;
+            let _e2121 = ((_e1903.base_color.x * ((((f32((_e1897[0].color & 255u)) * _e1920) * _e1732) + ((f32((_e1897[1].color & 255u)) * _e1939) * _e1726.u)) + ((f32((_e1897[2].color & 255u)) * _e1961) * _e1726.v))) * _e2119.x);
+            let _e2123 = ((_e1903.base_color.y * ((((f32(((_e1897[0].color >> bitcast<u32>(8i)) & 255u)) * _e1920) * _e1732) + ((f32(((_e1897[1].color >> bitcast<u32>(8i)) & 255u)) * _e1939) * _e1726.u)) + ((f32(((_e1897[2].color >> bitcast<u32>(8i)) & 255u)) * _e1961) * _e1726.v))) * _e2119.y);
+            let _e2125 = ((_e1903.base_color.z * ((((f32(((_e1897[0].color >> bitcast<u32>(16i)) & 255u)) * _e1920) * _e1732) + ((f32(((_e1897[1].color >> bitcast<u32>(16i)) & 255u)) * _e1939) * _e1726.u)) + ((f32(((_e1897[2].color >> bitcast<u32>(16i)) & 255u)) * _e1961) * _e1726.v))) * _e2119.z);
+            let _e2126 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1798, _e1801);
+            let _e2127 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1795, _e2126);
+            if ((_e1903.flags & 2u) == 0u) {
+                phi_2811_ = 0u;
             } else {
-                phi_2774_ = 1u;
+                phi_2811_ = 1u;
             }
-            let _e1981 = phi_2774_;
-            let _e1984 = local_1[0u].normal;
-            if (_e1984 == 2147516416u) {
-                phi_2841_ = _e1820;
+            let _e2132 = phi_2811_;
+            if (_e1897[0].normal == 2147516416u) {
+                phi_3014_ = _e1875;
             } else {
-                let _e1988 = local_1[0u].normal;
-                let _e1989 = lt_shaders_surface_octahedral_decode(_e1988);
-                let _e1999 = local_1[1u].normal;
-                let _e2000 = lt_shaders_surface_octahedral_decode(_e1999);
-                let _e2013 = local_1[2u].normal;
-                let _e2014 = lt_shaders_surface_octahedral_decode(_e2013);
-                let _e2026 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>((((_e1989.x * _e1689.x) + (_e2000.x * _e1689.y)) + (_e2014.x * _e1689.z)), (((_e1989.y * _e1689.x) + (_e2000.y * _e1689.y)) + (_e2014.y * _e1689.z)), (((_e1989.z * _e1689.x) + (_e2000.z * _e1689.y)) + (_e2014.z * _e1689.z))));
-                let _e2038 = sqrt((((_e2026.x * _e2026.x) + (_e2026.y * _e2026.y)) + (_e2026.z * _e2026.z)));
-                if (_e2038 > 0f) {
-                    let _e2042 = lt_shaders_camera_facing((_e2026 / vec3(_e2038)), _e1820);
-                    phi_2840_ = _e2042;
+                let _e2145 = (f32((bitcast<i32>((_e1897[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2151 = (f32((bitcast<i32>(_e1897[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2155 = ((1f - abs(_e2145)) - abs(_e2151));
+                if (_e2155 < 0f) {
+                    phi_2838_ = -(_e2155);
                 } else {
-                    phi_2840_ = _e1820;
+                    phi_2838_ = 0f;
                 }
-                let _e2044 = phi_2840_;
-                phi_2841_ = _e2044;
+                let _e2159 = phi_2838_;
+                if (_e2145 < 0f) {
+                    phi_2845_ = (_e2145 + _e2159);
+                } else {
+                    phi_2845_ = (_e2145 - _e2159);
+                }
+                let _e2164 = phi_2845_;
+                if (_e2151 < 0f) {
+                    phi_2852_ = (_e2151 + _e2159);
+                } else {
+                    phi_2852_ = (_e2151 - _e2159);
+                }
+                let _e2169 = phi_2852_;
+                let _e2176 = (1f / sqrt((((_e2164 * _e2164) + (_e2169 * _e2169)) + (_e2155 * _e2155))));
+                let _e2192 = (f32((bitcast<i32>((_e1897[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2198 = (f32((bitcast<i32>(_e1897[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2202 = ((1f - abs(_e2192)) - abs(_e2198));
+                if (_e2202 < 0f) {
+                    phi_2887_ = -(_e2202);
+                } else {
+                    phi_2887_ = 0f;
+                }
+                let _e2206 = phi_2887_;
+                if (_e2192 < 0f) {
+                    phi_2894_ = (_e2192 + _e2206);
+                } else {
+                    phi_2894_ = (_e2192 - _e2206);
+                }
+                let _e2211 = phi_2894_;
+                if (_e2198 < 0f) {
+                    phi_2901_ = (_e2198 + _e2206);
+                } else {
+                    phi_2901_ = (_e2198 - _e2206);
+                }
+                let _e2216 = phi_2901_;
+                let _e2223 = (1f / sqrt((((_e2211 * _e2211) + (_e2216 * _e2216)) + (_e2202 * _e2202))));
+                let _e2242 = (f32((bitcast<i32>((_e1897[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2248 = (f32((bitcast<i32>(_e1897[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2252 = ((1f - abs(_e2242)) - abs(_e2248));
+                if (_e2252 < 0f) {
+                    phi_2939_ = -(_e2252);
+                } else {
+                    phi_2939_ = 0f;
+                }
+                let _e2256 = phi_2939_;
+                if (_e2242 < 0f) {
+                    phi_2946_ = (_e2242 + _e2256);
+                } else {
+                    phi_2946_ = (_e2242 - _e2256);
+                }
+                let _e2261 = phi_2946_;
+                if (_e2248 < 0f) {
+                    phi_2953_ = (_e2248 + _e2256);
+                } else {
+                    phi_2953_ = (_e2248 - _e2256);
+                }
+                let _e2266 = phi_2953_;
+                let _e2273 = (1f / sqrt((((_e2261 * _e2261) + (_e2266 * _e2266)) + (_e2252 * _e2252))));
+                let _e2284 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2164 * _e2176) * _e1732) + ((_e2211 * _e2223) * _e1726.u)) + ((_e2261 * _e2273) * _e1726.v)), ((((_e2169 * _e2176) * _e1732) + ((_e2216 * _e2223) * _e1726.u)) + ((_e2266 * _e2273) * _e1726.v)), ((((_e2155 * _e2176) * _e1732) + ((_e2202 * _e2223) * _e1726.u)) + ((_e2252 * _e2273) * _e1726.v))));
+                let _e2296 = sqrt((((_e2284.x * _e2284.x) + (_e2284.y * _e2284.y)) + (_e2284.z * _e2284.z)));
+                if (_e2296 > 0f) {
+                    let _e2299 = (_e2284.x / _e2296);
+                    let _e2301 = (_e2284.y / _e2296);
+                    let _e2303 = (_e2284.z / _e2296);
+                    if ((((_e2299 * _e1875.x) + (_e2301 * _e1875.y)) + (_e2303 * _e1875.z)) < 0f) {
+                        phi_3012_ = vec3<f32>(-(_e2299), -(_e2301), -(_e2303));
+                    } else {
+                        phi_3012_ = (_e2284 / vec3(_e2296));
+                    }
+                    let _e2320 = phi_3012_;
+                    phi_3013_ = _e2320;
+                } else {
+                    phi_3013_ = _e1875;
+                }
+                let _e2322 = phi_3013_;
+                phi_3014_ = _e2322;
             }
-            let _e2046 = phi_2841_;
-            let _e2047 = lt_shaders_shade_pack_albedo((_e1881 * _e1972));
-            phi_2845_ = abi_Sample(vec3<f32>(_e1722, _e1723, _e1724), _e1975, _e1820, _e1981, _e2046, _e2047);
+            let _e2324 = phi_3014_;
+            if (_e2121 > 0f) {
+                if (_e2121 < 1f) {
+                    phi_3023_ = _e2121;
+                } else {
+                    phi_3023_ = 1f;
+                }
+                let _e2328 = phi_3023_;
+                phi_3024_ = _e2328;
+            } else {
+                phi_3024_ = 0f;
+            }
+            let _e2330 = phi_3024_;
+            if (_e2123 > 0f) {
+                if (_e2123 < 1f) {
+                    phi_3034_ = _e2123;
+                } else {
+                    phi_3034_ = 1f;
+                }
+                let _e2335 = phi_3034_;
+                phi_3035_ = _e2335;
+            } else {
+                phi_3035_ = 0f;
+            }
+            let _e2337 = phi_3035_;
+            if (_e2125 > 0f) {
+                if (_e2125 < 1f) {
+                    phi_3045_ = _e2125;
+                } else {
+                    phi_3045_ = 1f;
+                }
+                let _e2342 = phi_3045_;
+                phi_3046_ = _e2342;
+            } else {
+                phi_3046_ = 0f;
+            }
+            let _e2344 = phi_3046_;
+            let _e2347 = ((sqrt(_e2330) * 255f) + 0.5f);
+            let _e2356 = ((sqrt(_e2337) * 255f) + 0.5f);
+            let _e2368 = ((sqrt(_e2344) * 255f) + 0.5f);
+            phi_3081_ = abi_Sample(vec3<f32>(_e1762, _e1763, _e1764), _e2127, _e1875, _e2132, _e2324, ((select(select(u32(_e2347), 0u, (_e2347 < bitcast<f32>(0u))), 4294967295u, (_e2347 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2356), 0u, (_e2356 < bitcast<f32>(0u))), 4294967295u, (_e2356 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2368), 0u, (_e2368 < bitcast<f32>(0u))), 4294967295u, (_e2368 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2845_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3081_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2051 = phi_2845_;
-        if (_e98.first_primitive < arrayLength((&samples.member))) {
+        let _e2382 = phi_3081_;
+        if (_e101.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e98.first_primitive)] = _e2051;
+        samples.member[(0u + _e101.first_primitive)] = _e2382;
     }
     return;
 }

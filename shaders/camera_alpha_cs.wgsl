@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -21,11 +13,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -40,11 +40,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -81,7 +81,7 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_41 {
+struct type_37 {
     member: array<abi_Sample>,
 }
 
@@ -98,7 +98,7 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct type_50 {
+struct type_45 {
     member: abi_CameraParams,
 }
 
@@ -110,7 +110,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_55 {
+struct type_50 {
     member: array<lt_bvh_Node>,
 }
 
@@ -142,1868 +142,2144 @@ struct lt_bvh_triangle_Intersection {
 }
 
 @group(0) @binding(3) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(4) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_50;
+var<uniform> p: type_45;
 @group(0) @binding(1) 
-var<storage> nodes: type_55;
+var<storage> nodes: type_50;
 @group(0) @binding(2) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_41;
+var<storage, read_write> samples: type_37;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_22;
+var<storage> alpha_texels: type_20;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e77 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e77), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e77), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e77), (f32((param >> bitcast<u32>(24i))) * _e77));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_234_: f32;
+    var phi_239_: f32;
+    var phi_240_: bool;
+    var phi_241_: f32;
+    var phi_242_: bool;
+    var phi_246_: f32;
+    var phi_272_: f32;
+    var phi_277_: f32;
+    var phi_278_: bool;
+    var phi_279_: f32;
+    var phi_280_: bool;
+    var phi_284_: f32;
+    var phi_292_: f32;
+    var phi_293_: f32;
+    var phi_294_: f32;
+    var phi_303_: f32;
+    var phi_304_: f32;
+    var phi_322_: u32;
+    var phi_336_: u32;
+    var phi_343_: u32;
+    var phi_348_: u32;
+    var phi_354_: u32;
+    var phi_359_: u32;
+    var phi_361_: texture_Axis;
+    var phi_389_: f32;
+    var phi_394_: f32;
+    var phi_395_: bool;
+    var phi_396_: f32;
+    var phi_397_: bool;
+    var phi_401_: f32;
+    var phi_427_: f32;
+    var phi_432_: f32;
+    var phi_433_: bool;
+    var phi_434_: f32;
+    var phi_435_: bool;
+    var phi_439_: f32;
+    var phi_447_: f32;
+    var phi_448_: f32;
+    var phi_449_: f32;
+    var phi_458_: f32;
+    var phi_459_: f32;
+    var phi_477_: u32;
+    var phi_491_: u32;
+    var phi_498_: u32;
+    var phi_503_: u32;
+    var phi_509_: u32;
+    var phi_514_: u32;
+    var phi_516_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e67 = (*param_1)[0u].color;
-    let _e68 = lt_shaders_texture_unorm_bytes(_e67);
-    let _e80 = (*param_1)[1u].color;
-    let _e81 = lt_shaders_texture_unorm_bytes(_e80);
-    let _e97 = (*param_1)[2u].color;
-    let _e98 = lt_shaders_texture_unorm_bytes(_e97);
-    return vec4<f32>((((_e68.x * param_2.x) + (_e81.x * param_2.y)) + (_e98.x * param_2.z)), (((_e68.y * param_2.x) + (_e81.y * param_2.y)) + (_e98.y * param_2.z)), (((_e68.z * param_2.x) + (_e81.z * param_2.y)) + (_e98.z * param_2.z)), (((_e68.w * param_2.x) + (_e81.w * param_2.y)) + (_e98.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e67 = (*param_3)[0u].u;
-    let _e70 = (*param_3)[0u].v;
-    let _e76 = (*param_3)[1u].u;
-    let _e79 = (*param_3)[1u].v;
-    let _e87 = (*param_3)[2u].u;
-    let _e90 = (*param_3)[2u].v;
-    return vec2<f32>((((_e67 * param_4.x) + (_e76 * param_4.y)) + (_e87 * param_4.z)), (((_e70 * param_4.x) + (_e79 * param_4.y)) + (_e90 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_476_: f32;
-    var phi_477_: f32;
-    var phi_478_: f32;
-    var phi_487_: f32;
-    var phi_488_: f32;
-
-    if (param_6 == 0u) {
-        phi_478_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e72 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e72 > 1f) {
-                phi_476_ = (2f - _e72);
+    let _e73 = (*param).size;
+    let _e74 = (_e73 & 65535u);
+    let _e76 = (*param).size;
+    let _e78 = (_e76 >> bitcast<u32>(16i));
+    let _e80 = (*param).flags;
+    let _e82 = ((_e80 & 4u) != 0u);
+    let _e84 = (*param).flags;
+    let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
+    if (_e87 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e100 > param_1) {
+                phi_234_ = 1f;
             } else {
-                phi_476_ = _e72;
+                phi_234_ = 0f;
             }
-            let _e76 = phi_476_;
-            phi_477_ = _e76;
+            let _e103 = phi_234_;
+            if (param_1 < 8388608f) {
+                phi_239_ = (_e100 - _e103);
+                phi_240_ = false;
+            } else {
+                phi_239_ = f32();
+                phi_240_ = true;
+            }
+            let _e106 = phi_239_;
+            let _e108 = phi_240_;
+            phi_241_ = _e106;
+            phi_242_ = _e108;
         } else {
-            phi_477_ = param_5;
+            phi_241_ = f32();
+            phi_242_ = true;
         }
-        let _e78 = phi_477_;
-        phi_478_ = _e78;
-    }
-    let _e80 = phi_478_;
-    if (_e80 > 0f) {
-        if (_e80 < 1f) {
-            phi_487_ = _e80;
+        let _e110 = phi_241_;
+        let _e112 = phi_242_;
+        if _e112 {
+            phi_246_ = param_1;
         } else {
-            phi_487_ = 1f;
+            phi_246_ = _e110;
         }
-        let _e84 = phi_487_;
-        phi_488_ = _e84;
+        let _e114 = phi_246_;
+        phi_294_ = (param_1 - _e114);
     } else {
-        phi_488_ = 0f;
-    }
-    let _e86 = phi_488_;
-    return _e86;
-}
-
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_414_: u32;
-    var phi_428_: u32;
-    var phi_435_: u32;
-    var phi_440_: u32;
-    var phi_446_: u32;
-    var phi_451_: u32;
-    var phi_453_: texture_Axis;
-
-    let _e67 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e68 = (param_8 - 1u);
-    let _e70 = (_e67 * f32(param_8));
-    if param_10 {
-        let _e77 = select(select(u32(_e70), 0u, (_e70 < bitcast<f32>(0u))), 4294967295u, (_e70 > bitcast<f32>(1333788671u)));
-        if (_e68 < _e77) {
-            phi_414_ = _e68;
+        if (_e87 == 1u) {
+            let _e117 = (param_1 * 0.5f);
+            if (_e117 > -8388608f) {
+                let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
+                if (_e129 > _e117) {
+                    phi_272_ = 1f;
+                } else {
+                    phi_272_ = 0f;
+                }
+                let _e132 = phi_272_;
+                if (_e117 < 8388608f) {
+                    phi_277_ = (_e129 - _e132);
+                    phi_278_ = false;
+                } else {
+                    phi_277_ = f32();
+                    phi_278_ = true;
+                }
+                let _e135 = phi_277_;
+                let _e137 = phi_278_;
+                phi_279_ = _e135;
+                phi_280_ = _e137;
+            } else {
+                phi_279_ = f32();
+                phi_280_ = true;
+            }
+            let _e139 = phi_279_;
+            let _e141 = phi_280_;
+            if _e141 {
+                phi_284_ = _e117;
+            } else {
+                phi_284_ = _e139;
+            }
+            let _e143 = phi_284_;
+            let _e145 = (param_1 - (2f * _e143));
+            if (_e145 > 1f) {
+                phi_292_ = (2f - _e145);
+            } else {
+                phi_292_ = _e145;
+            }
+            let _e149 = phi_292_;
+            phi_293_ = _e149;
         } else {
-            phi_414_ = _e77;
+            phi_293_ = param_1;
         }
-        let _e80 = phi_414_;
-        phi_453_ = texture_Axis(_e80, _e80, 0f);
+        let _e151 = phi_293_;
+        phi_294_ = _e151;
+    }
+    let _e153 = phi_294_;
+    if (_e153 > 0f) {
+        if (_e153 < 1f) {
+            phi_303_ = _e153;
+        } else {
+            phi_303_ = 1f;
+        }
+        let _e157 = phi_303_;
+        phi_304_ = _e157;
     } else {
-        let _e82 = (_e70 + 0.5f);
-        let _e89 = select(select(u32(_e82), 0u, (_e82 < bitcast<f32>(0u))), 4294967295u, (_e82 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e89) {
-            phi_428_ = param_8;
-        } else {
-            phi_428_ = _e89;
-        }
-        let _e92 = phi_428_;
-        if (param_9 == 0u) {
-            phi_435_ = _e68;
-        } else {
-            phi_435_ = 0u;
-        }
-        let _e97 = phi_435_;
-        if (param_9 == 0u) {
-            phi_440_ = 0u;
-        } else {
-            phi_440_ = _e68;
-        }
-        let _e100 = phi_440_;
-        if (_e92 == 0u) {
-            phi_446_ = _e97;
-        } else {
-            phi_446_ = (_e92 - 1u);
-        }
-        let _e104 = phi_446_;
-        if (_e92 > _e68) {
-            phi_451_ = _e100;
-        } else {
-            phi_451_ = _e92;
-        }
-        let _e107 = phi_451_;
-        phi_453_ = texture_Axis(_e104, _e107, (_e82 - f32(_e92)));
+        phi_304_ = 0f;
     }
-    let _e110 = phi_453_;
-    return _e110;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e67 = (*param_11).size;
-    let _e68 = (_e67 & 65535u);
-    let _e70 = (*param_11).size;
-    let _e74 = (*param_11).flags;
-    let _e76 = ((_e74 & 4u) != 0u);
-    let _e78 = (*param_11).flags;
-    let _e82 = lt_shaders_texture_axis(param_12, _e68, ((_e78 >> bitcast<u32>(4u)) & 3u), _e76);
-    let _e84 = (*param_11).flags;
-    let _e88 = lt_shaders_texture_axis(param_13, (_e70 >> bitcast<u32>(16i)), ((_e84 >> bitcast<u32>(6u)) & 3u), _e76);
-    let _e92 = (*param_11).offset;
-    let _e99 = (*param_11).offset;
-    let _e106 = (*param_11).offset;
-    let _e113 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e92 + (_e88.low * _e68)) + _e82.low), ((_e99 + (_e88.low * _e68)) + _e82.high), ((_e106 + (_e88.high * _e68)) + _e82.low), ((_e113 + (_e88.high * _e68)) + _e82.high)), vec4<f32>(((1f - _e82.fraction) * (1f - _e88.fraction)), (_e82.fraction * (1f - _e88.fraction)), ((1f - _e82.fraction) * _e88.fraction), (_e82.fraction * _e88.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_14: vec3<u32>, param_15: u32, param_16: u32) -> lt_bvh_traverse_Tree {
-    var phi_508_: lt_bvh_traverse_Tree;
-    var phi_509_: bool;
-    var phi_510_: lt_bvh_traverse_Tree;
-    var phi_511_: bool;
-    var phi_516_: lt_bvh_traverse_Tree;
-
-    if (param_14.x < param_15) {
-        if (param_14.y < param_16) {
-            phi_508_ = lt_bvh_traverse_Tree(1u, ((param_14.y * param_15) + param_14.x));
-            phi_509_ = false;
-        } else {
-            phi_508_ = lt_bvh_traverse_Tree();
-            phi_509_ = true;
-        }
-        let _e76 = phi_508_;
-        let _e78 = phi_509_;
-        phi_510_ = _e76;
-        phi_511_ = _e78;
-    } else {
-        phi_510_ = lt_bvh_traverse_Tree();
-        phi_511_ = true;
-    }
-    let _e80 = phi_510_;
-    let _e82 = phi_511_;
+    let _e159 = phi_304_;
+    let _e160 = (_e74 - 1u);
+    let _e162 = (_e159 * f32(_e74));
     if _e82 {
-        phi_516_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_516_ = _e80;
-    }
-    let _e87 = phi_516_;
-    return lt_bvh_traverse_Tree(_e87.root, _e87.first_primitive);
-}
-
-fn lt_shaders_shade_unit(param_17: f32) -> f32 {
-    var phi_530_: f32;
-    var phi_531_: f32;
-
-    if (param_17 > 0f) {
-        if (param_17 < 1f) {
-            phi_530_ = param_17;
+        let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
+        if (_e160 < _e169) {
+            phi_322_ = _e160;
         } else {
-            phi_530_ = 1f;
+            phi_322_ = _e169;
         }
-        let _e67 = phi_530_;
-        phi_531_ = _e67;
+        let _e172 = phi_322_;
+        phi_361_ = texture_Axis(_e172, _e172, 0f);
     } else {
-        phi_531_ = 0f;
+        let _e174 = (_e162 + 0.5f);
+        let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
+        if (_e74 < _e181) {
+            phi_336_ = _e74;
+        } else {
+            phi_336_ = _e181;
+        }
+        let _e184 = phi_336_;
+        if (_e87 == 0u) {
+            phi_343_ = _e160;
+        } else {
+            phi_343_ = 0u;
+        }
+        let _e189 = phi_343_;
+        if (_e87 == 0u) {
+            phi_348_ = 0u;
+        } else {
+            phi_348_ = _e160;
+        }
+        let _e192 = phi_348_;
+        if (_e184 == 0u) {
+            phi_354_ = _e189;
+        } else {
+            phi_354_ = (_e184 - 1u);
+        }
+        let _e196 = phi_354_;
+        if (_e184 > _e160) {
+            phi_359_ = _e192;
+        } else {
+            phi_359_ = _e184;
+        }
+        let _e199 = phi_359_;
+        phi_361_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e69 = phi_531_;
-    return _e69;
-}
-
-fn lt_shaders_shade_sqrt(param_18: f32) -> f32 {
-    return sqrt(param_18);
-}
-
-fn lt_shaders_shade_pack_bytes(param_19: vec3<f32>) -> u32 {
-    let _e66 = ((param_19.x * 255f) + 0.5f);
-    let _e76 = ((param_19.y * 255f) + 0.5f);
-    let _e89 = ((param_19.z * 255f) + 0.5f);
-    return ((select(select(u32(_e66), 0u, (_e66 < bitcast<f32>(0u))), 4294967295u, (_e66 > bitcast<f32>(1333788671u))) | (select(select(u32(_e76), 0u, (_e76 < bitcast<f32>(0u))), 4294967295u, (_e76 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e89), 0u, (_e89 < bitcast<f32>(0u))), 4294967295u, (_e89 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i)));
-}
-
-fn lt_shaders_shade_pack_albedo(param_20: vec3<f32>) -> u32 {
-    let _e65 = lt_shaders_shade_unit(param_20.x);
-    let _e66 = lt_shaders_shade_sqrt(_e65);
-    let _e68 = lt_shaders_shade_unit(param_20.y);
-    let _e69 = lt_shaders_shade_sqrt(_e68);
-    let _e71 = lt_shaders_shade_unit(param_20.z);
-    let _e72 = lt_shaders_shade_sqrt(_e71);
-    let _e74 = lt_shaders_shade_pack_bytes(vec3<f32>(_e66, _e69, _e72));
-    return _e74;
-}
-
-fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_21: vec3<f32>) -> vec3<f32> {
-    return param_21;
-}
-
-fn lt_shaders_surface_octahedral_decode(param_22: u32) -> vec3<f32> {
-    var phi_2714_: f32;
-    var phi_2721_: f32;
-    var phi_2728_: f32;
-
-    let _e71 = (f32((bitcast<i32>((param_22 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e77 = (f32((bitcast<i32>(param_22) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e81 = ((1f - abs(_e71)) - abs(_e77));
-    if (_e81 < 0f) {
-        phi_2714_ = -(_e81);
+    let _e202 = phi_361_;
+    let _e204 = (*param).flags;
+    let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
+    if (_e207 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e220 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e220 > param_2) {
+                phi_389_ = 1f;
+            } else {
+                phi_389_ = 0f;
+            }
+            let _e223 = phi_389_;
+            if (param_2 < 8388608f) {
+                phi_394_ = (_e220 - _e223);
+                phi_395_ = false;
+            } else {
+                phi_394_ = f32();
+                phi_395_ = true;
+            }
+            let _e226 = phi_394_;
+            let _e228 = phi_395_;
+            phi_396_ = _e226;
+            phi_397_ = _e228;
+        } else {
+            phi_396_ = f32();
+            phi_397_ = true;
+        }
+        let _e230 = phi_396_;
+        let _e232 = phi_397_;
+        if _e232 {
+            phi_401_ = param_2;
+        } else {
+            phi_401_ = _e230;
+        }
+        let _e234 = phi_401_;
+        phi_449_ = (param_2 - _e234);
     } else {
-        phi_2714_ = 0f;
+        if (_e207 == 1u) {
+            let _e237 = (param_2 * 0.5f);
+            if (_e237 > -8388608f) {
+                let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
+                if (_e249 > _e237) {
+                    phi_427_ = 1f;
+                } else {
+                    phi_427_ = 0f;
+                }
+                let _e252 = phi_427_;
+                if (_e237 < 8388608f) {
+                    phi_432_ = (_e249 - _e252);
+                    phi_433_ = false;
+                } else {
+                    phi_432_ = f32();
+                    phi_433_ = true;
+                }
+                let _e255 = phi_432_;
+                let _e257 = phi_433_;
+                phi_434_ = _e255;
+                phi_435_ = _e257;
+            } else {
+                phi_434_ = f32();
+                phi_435_ = true;
+            }
+            let _e259 = phi_434_;
+            let _e261 = phi_435_;
+            if _e261 {
+                phi_439_ = _e237;
+            } else {
+                phi_439_ = _e259;
+            }
+            let _e263 = phi_439_;
+            let _e265 = (param_2 - (2f * _e263));
+            if (_e265 > 1f) {
+                phi_447_ = (2f - _e265);
+            } else {
+                phi_447_ = _e265;
+            }
+            let _e269 = phi_447_;
+            phi_448_ = _e269;
+        } else {
+            phi_448_ = param_2;
+        }
+        let _e271 = phi_448_;
+        phi_449_ = _e271;
     }
-    let _e85 = phi_2714_;
-    if (_e71 < 0f) {
-        phi_2721_ = (_e71 + _e85);
+    let _e273 = phi_449_;
+    if (_e273 > 0f) {
+        if (_e273 < 1f) {
+            phi_458_ = _e273;
+        } else {
+            phi_458_ = 1f;
+        }
+        let _e277 = phi_458_;
+        phi_459_ = _e277;
     } else {
-        phi_2721_ = (_e71 - _e85);
+        phi_459_ = 0f;
     }
-    let _e90 = phi_2721_;
-    if (_e77 < 0f) {
-        phi_2728_ = (_e77 + _e85);
+    let _e279 = phi_459_;
+    let _e280 = (_e78 - 1u);
+    let _e282 = (_e279 * f32(_e78));
+    if _e82 {
+        let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
+        if (_e280 < _e289) {
+            phi_477_ = _e280;
+        } else {
+            phi_477_ = _e289;
+        }
+        let _e292 = phi_477_;
+        phi_516_ = texture_Axis(_e292, _e292, 0f);
     } else {
-        phi_2728_ = (_e77 - _e85);
+        let _e294 = (_e282 + 0.5f);
+        let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
+        if (_e78 < _e301) {
+            phi_491_ = _e78;
+        } else {
+            phi_491_ = _e301;
+        }
+        let _e304 = phi_491_;
+        if (_e207 == 0u) {
+            phi_498_ = _e280;
+        } else {
+            phi_498_ = 0u;
+        }
+        let _e309 = phi_498_;
+        if (_e207 == 0u) {
+            phi_503_ = 0u;
+        } else {
+            phi_503_ = _e280;
+        }
+        let _e312 = phi_503_;
+        if (_e304 == 0u) {
+            phi_509_ = _e309;
+        } else {
+            phi_509_ = (_e304 - 1u);
+        }
+        let _e316 = phi_509_;
+        if (_e304 > _e280) {
+            phi_514_ = _e312;
+        } else {
+            phi_514_ = _e304;
+        }
+        let _e319 = phi_514_;
+        phi_516_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
     }
-    let _e95 = phi_2728_;
-    let _e102 = (1f / sqrt((((_e90 * _e90) + (_e95 * _e95)) + (_e81 * _e81))));
-    return vec3<f32>((_e90 * _e102), (_e95 * _e102), (_e81 * _e102));
+    let _e322 = phi_516_;
+    let _e326 = (*param).offset;
+    let _e333 = (*param).offset;
+    let _e340 = (*param).offset;
+    let _e347 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
 }
 
-fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_23: vec3<f32>) -> vec3<f32> {
+fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
+    var phi_583_: lt_bvh_traverse_Tree;
+    var phi_584_: bool;
+    var phi_585_: lt_bvh_traverse_Tree;
+    var phi_586_: bool;
+    var phi_591_: lt_bvh_traverse_Tree;
+
+    if (param_3.x < param_4) {
+        if (param_3.y < param_5) {
+            phi_583_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
+            phi_584_ = false;
+        } else {
+            phi_583_ = lt_bvh_traverse_Tree();
+            phi_584_ = true;
+        }
+        let _e82 = phi_583_;
+        let _e84 = phi_584_;
+        phi_585_ = _e82;
+        phi_586_ = _e84;
+    } else {
+        phi_585_ = lt_bvh_traverse_Tree();
+        phi_586_ = true;
+    }
+    let _e86 = phi_585_;
+    let _e88 = phi_586_;
+    if _e88 {
+        phi_591_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_591_ = _e86;
+    }
+    let _e93 = phi_591_;
+    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+}
+
+fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_6: vec3<f32>) -> vec3<f32> {
+    return param_6;
+}
+
+fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_7: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(1f, 1f, 1f);
 }
 
-fn lt_shaders_surface_plain_color(param_24: ptr<function, abi_Material>, param_25: ptr<function, array<abi_Vertex, 3>>, param_26: vec3<f32>) -> vec3<f32> {
-    let _e67 = (*param_24).base_color;
-    let _e71 = lt_shaders_surface_vertex_color(param_25, param_26);
-    return vec3<f32>((_e67.x * _e71.x), (_e67.y * _e71.y), (_e67.z * _e71.z));
-}
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_8: f32, param_9: f32) -> f32 {
+    var phi_2946_: f32;
 
-fn lt_shaders_camera_facing(param_27: vec3<f32>, param_28: vec3<f32>) -> vec3<f32> {
-    var phi_2672_: vec3<f32>;
-
-    if ((((param_27.x * param_28.x) + (param_27.y * param_28.y)) + (param_27.z * param_28.z)) < 0f) {
-        phi_2672_ = -(param_27);
+    if (param_8 > param_9) {
+        phi_2946_ = param_8;
     } else {
-        phi_2672_ = param_27;
+        phi_2946_ = param_9;
     }
-    let _e79 = phi_2672_;
-    return _e79;
+    let _e73 = phi_2946_;
+    return _e73;
 }
 
-fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_29: f32, param_30: f32) -> f32 {
-    var phi_2652_: f32;
+fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
+    var phi_2934_: bool;
+    var phi_2938_: f32;
 
-    if (param_29 > param_30) {
-        phi_2652_ = param_29;
+    if (param_10 != param_10) {
+        phi_2934_ = true;
     } else {
-        phi_2652_ = param_30;
-    }
-    let _e67 = phi_2652_;
-    return _e67;
-}
-
-fn lt_shaders_surface_barycentric_weights(param_31: f32, param_32: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_31) - param_32), param_31, param_32);
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_33: f32, param_34: f32) -> f32 {
-    var phi_2634_: bool;
-    var phi_2638_: f32;
-
-    if (param_33 != param_33) {
-        phi_2634_ = true;
-    } else {
-        let _e66 = (param_34 <= param_33);
-        if _e66 {
+        let _e72 = (param_11 <= param_10);
+        if _e72 {
         }
-        phi_2634_ = _e66;
+        phi_2934_ = _e72;
     }
-    let _e68 = phi_2634_;
-    if _e68 {
-        phi_2638_ = param_34;
+    let _e74 = phi_2934_;
+    if _e74 {
+        phi_2938_ = param_11;
     } else {
-        phi_2638_ = param_33;
+        phi_2938_ = param_10;
     }
-    let _e70 = phi_2638_;
-    return _e70;
+    let _e76 = phi_2938_;
+    return _e76;
 }
 
-fn core_intrinsics_maximum_number_nsz_f32_(param_35: f32, param_36: f32) -> f32 {
-    var phi_2618_: bool;
-    var phi_2622_: f32;
+fn core_intrinsics_maximum_number_nsz_f32_(param_12: f32, param_13: f32) -> f32 {
+    var phi_2918_: bool;
+    var phi_2922_: f32;
 
-    if (param_35 != param_35) {
-        phi_2618_ = true;
+    if (param_12 != param_12) {
+        phi_2918_ = true;
     } else {
-        let _e66 = (param_36 >= param_35);
-        if _e66 {
+        let _e72 = (param_13 >= param_12);
+        if _e72 {
         }
-        phi_2618_ = _e66;
+        phi_2918_ = _e72;
     }
-    let _e68 = phi_2618_;
-    if _e68 {
-        phi_2622_ = param_36;
+    let _e74 = phi_2918_;
+    if _e74 {
+        phi_2922_ = param_13;
     } else {
-        phi_2622_ = param_35;
+        phi_2922_ = param_12;
     }
-    let _e70 = phi_2622_;
-    return _e70;
+    let _e76 = phi_2922_;
+    return _e76;
 }
 
-fn _lt_bvh_ray_Ray_new(param_37: vec3<f32>, param_38: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_37, 0f, param_38, 300000000000000000000000000000000000000f);
+fn _lt_bvh_ray_Ray_new(param_14: vec3<f32>, param_15: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_14, 0f, param_15, 300000000000000000000000000000000000000f);
 }
 
 fn function_() {
-    var local: array<abi_Vertex, 3>;
-    var local_1: abi_Material;
-    var local_2: texture_TextureView;
-    var local_3: array<abi_Vertex, 3>;
-    var local_4: lt_bvh_traverse_Stack;
-    var phi_721_: bool;
-    var phi_722_: bool;
-    var phi_723_: bool;
-    var phi_727_: bool;
-    var phi_728_: bool;
-    var phi_729_: bool;
-    var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_732_: bool;
-    var phi_733_: bool;
-    var phi_734_: bool;
-    var phi_735_: bool;
-    var phi_736_: bool;
-    var phi_737_: bool;
-    var phi_738_: bool;
-    var phi_739_: bool;
-    var phi_740_: bool;
-    var phi_741_: bool;
+    var local: texture_TextureView;
+    var local_1: lt_bvh_traverse_Stack;
     var phi_742_: bool;
     var phi_743_: bool;
     var phi_744_: bool;
     var phi_748_: bool;
+    var phi_749_: bool;
+    var phi_750_: bool;
+    var phi_751_: bool;
     var phi_752_: bool;
-    var phi_827_: f32;
-    var phi_834_: f32;
-    var phi_842_: f32;
-    var phi_849_: f32;
-    var phi_857_: f32;
-    var phi_864_: f32;
-    var phi_889_: f32;
-    var phi_894_: f32;
-    var phi_899_: f32;
-    var phi_932_: bool;
-    var phi_933_: bool;
-    var phi_941_: u32;
-    var phi_942_: u32;
-    var phi_960_: vec3<f32>;
-    var phi_961_: vec3<f32>;
-    var phi_975_: u32;
-    var phi_980_: u32;
-    var phi_985_: u32;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1131_: u32;
-    var phi_1133_: lt_bvh_Hit;
-    var phi_1136_: u32;
-    var phi_1221_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1248_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1275_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1281_: u32;
-    var phi_1284_: u32;
-    var phi_1298_: u32;
-    var phi_1308_: u32;
-    var phi_1318_: u32;
-    var phi_1336_: u32;
-    var phi_1346_: u32;
-    var phi_1356_: u32;
-    var phi_1392_: u32;
-    var phi_1405_: u32;
-    var phi_1410_: u32;
-    var phi_1411_: u32;
-    var phi_1412_: u32;
-    var phi_1282_: u32;
-    var phi_1285_: u32;
-    var local_5: u32;
-    var local_6: u32;
-    var local_7: u32;
-    var phi_1470_: lt_bvh_Hit;
-    var phi_1473_: u32;
-    var phi_1519_: vec3<f32>;
-    var phi_1520_: vec3<f32>;
-    var phi_1553_: vec3<f32>;
-    var phi_1554_: vec3<f32>;
-    var phi_1587_: vec3<f32>;
-    var phi_1588_: vec3<f32>;
-    var phi_1608_: bool;
-    var phi_1609_: bool;
-    var phi_1613_: f32;
-    var phi_1614_: f32;
-    var phi_1615_: f32;
-    var phi_1616_: f32;
-    var phi_1624_: f32;
-    var phi_1634_: bool;
-    var phi_1635_: bool;
-    var phi_1639_: f32;
-    var phi_1640_: f32;
-    var phi_1641_: f32;
-    var phi_1642_: f32;
-    var phi_1650_: f32;
-    var phi_1660_: bool;
-    var phi_1661_: bool;
-    var phi_1665_: f32;
-    var phi_1666_: f32;
-    var phi_1667_: f32;
-    var phi_1668_: f32;
-    var phi_1676_: f32;
-    var phi_1691_: f32;
-    var phi_1692_: bool;
-    var phi_1693_: f32;
-    var phi_1694_: bool;
-    var phi_1695_: f32;
-    var phi_1696_: bool;
+    var phi_753_: bool;
+    var phi_754_: bool;
+    var phi_755_: bool;
+    var phi_756_: bool;
+    var phi_757_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_760_: bool;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: bool;
+    var phi_765_: bool;
+    var phi_769_: bool;
+    var phi_773_: bool;
+    var phi_848_: f32;
+    var phi_855_: f32;
+    var phi_863_: f32;
+    var phi_870_: f32;
+    var phi_878_: f32;
+    var phi_885_: f32;
+    var phi_910_: f32;
+    var phi_915_: f32;
+    var phi_920_: f32;
+    var phi_953_: bool;
+    var phi_954_: bool;
+    var phi_962_: u32;
+    var phi_963_: u32;
+    var phi_981_: vec3<f32>;
+    var phi_982_: vec3<f32>;
+    var phi_996_: u32;
+    var phi_1001_: u32;
+    var phi_1006_: u32;
+    var phi_1120_: bool;
+    var phi_1121_: bool;
+    var phi_1152_: u32;
+    var phi_1154_: lt_bvh_Hit;
+    var phi_1157_: u32;
+    var phi_1242_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1269_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1296_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1302_: u32;
+    var phi_1305_: u32;
+    var phi_1319_: u32;
+    var phi_1329_: u32;
+    var phi_1339_: u32;
+    var phi_1357_: u32;
+    var phi_1367_: u32;
+    var phi_1377_: u32;
+    var phi_1413_: u32;
+    var phi_1426_: u32;
+    var phi_1431_: u32;
+    var phi_1432_: u32;
+    var phi_1433_: u32;
+    var phi_1303_: u32;
+    var phi_1306_: u32;
+    var local_2: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var phi_1491_: lt_bvh_Hit;
+    var phi_1494_: u32;
+    var phi_1540_: vec3<f32>;
+    var phi_1541_: vec3<f32>;
+    var phi_1574_: vec3<f32>;
+    var phi_1575_: vec3<f32>;
+    var phi_1608_: vec3<f32>;
+    var phi_1609_: vec3<f32>;
+    var phi_1629_: bool;
+    var phi_1630_: bool;
+    var phi_1634_: f32;
+    var phi_1635_: f32;
+    var phi_1636_: f32;
+    var phi_1637_: f32;
+    var phi_1645_: f32;
+    var phi_1655_: bool;
+    var phi_1656_: bool;
+    var phi_1660_: f32;
+    var phi_1661_: f32;
+    var phi_1662_: f32;
+    var phi_1663_: f32;
+    var phi_1671_: f32;
+    var phi_1681_: bool;
+    var phi_1682_: bool;
+    var phi_1686_: f32;
+    var phi_1687_: f32;
+    var phi_1688_: f32;
+    var phi_1689_: f32;
+    var phi_1697_: f32;
+    var phi_1712_: f32;
+    var phi_1713_: bool;
     var phi_1714_: f32;
     var phi_1715_: bool;
-    var phi_1716_: bool;
-    var phi_1717_: f32;
-    var phi_1718_: bool;
-    var phi_1719_: bool;
-    var phi_1723_: bool;
-    var phi_1724_: f32;
-    var phi_1725_: bool;
-    var phi_1751_: f32;
-    var phi_1760_: f32;
-    var phi_1769_: f32;
-    var phi_1778_: f32;
-    var phi_1785_: f32;
-    var phi_1792_: f32;
-    var phi_1805_: f32;
-    var phi_1814_: f32;
+    var phi_1716_: f32;
+    var phi_1717_: bool;
+    var phi_1735_: f32;
+    var phi_1736_: bool;
+    var phi_1737_: bool;
+    var phi_1738_: f32;
+    var phi_1739_: bool;
+    var phi_1740_: bool;
+    var phi_1744_: bool;
+    var phi_1745_: f32;
+    var phi_1746_: bool;
+    var phi_1782_: f32;
+    var phi_1791_: f32;
+    var phi_1800_: f32;
+    var phi_1809_: f32;
+    var phi_1816_: f32;
     var phi_1823_: f32;
-    var phi_1832_: f32;
-    var phi_1839_: f32;
-    var phi_1846_: f32;
-    var phi_1869_: f32;
-    var phi_1874_: f32;
-    var phi_1879_: f32;
-    var phi_1887_: f32;
-    var phi_1892_: f32;
-    var phi_1897_: f32;
-    var phi_1909_: f32;
-    var phi_1914_: f32;
-    var phi_1919_: f32;
-    var phi_1924_: f32;
-    var phi_1929_: lt_bvh_triangle_Intersection;
-    var phi_1930_: lt_bvh_triangle_Intersection;
-    var phi_1931_: bool;
-    var phi_1935_: lt_bvh_triangle_Intersection;
-    var phi_1974_: bool;
+    var phi_1836_: f32;
+    var phi_1845_: f32;
+    var phi_1854_: f32;
+    var phi_1863_: f32;
+    var phi_1870_: f32;
+    var phi_1877_: f32;
+    var phi_1900_: f32;
+    var phi_1905_: f32;
+    var phi_1910_: f32;
+    var phi_1918_: f32;
+    var phi_1923_: f32;
+    var phi_1928_: f32;
+    var phi_1940_: f32;
+    var phi_1945_: f32;
+    var phi_1950_: f32;
+    var phi_1955_: f32;
+    var phi_1960_: lt_bvh_triangle_Intersection;
+    var phi_1961_: bool;
+    var phi_1962_: lt_bvh_triangle_Intersection;
+    var phi_1963_: bool;
+    var phi_1967_: lt_bvh_triangle_Intersection;
+    var phi_1968_: bool;
+    var phi_1969_: lt_bvh_triangle_Intersection;
+    var phi_1970_: bool;
+    var phi_1971_: bool;
     var phi_1975_: bool;
-    var phi_1976_: bool;
-    var phi_1977_: bool;
-    var phi_1978_: bool;
-    var phi_1979_: bool;
-    var phi_1983_: bool;
-    var phi_1984_: bool;
-    var phi_2182_: f32;
-    var phi_2185_: bool;
-    var phi_2186_: bool;
-    var phi_2190_: bool;
-    var phi_2198_: lt_bvh_Hit;
-    var phi_2199_: lt_bvh_Hit;
-    var phi_2200_: lt_bvh_Hit;
-    var phi_2201_: lt_bvh_Hit;
-    var phi_1471_: lt_bvh_Hit;
-    var phi_1474_: u32;
-    var phi_2202_: bool;
-    var phi_2241_: bool;
-    var phi_2242_: bool;
-    var phi_2273_: u32;
-    var phi_1134_: lt_bvh_Hit;
-    var phi_1137_: u32;
-    var phi_2274_: lt_bvh_Hit;
-    var phi_2275_: lt_bvh_Hit;
-    var phi_2276_: bool;
-    var phi_2280_: lt_bvh_Hit;
-    var phi_2346_: f32;
-    var phi_2351_: f32;
-    var phi_2356_: f32;
-    var phi_2367_: f32;
-    var phi_2372_: f32;
-    var phi_2377_: f32;
-    var phi_2525_: u32;
-    var phi_2591_: vec3<f32>;
-    var phi_2592_: vec3<f32>;
-    var phi_2596_: abi_Sample;
-    var local_8: lt_bvh_Hit;
-    var local_9: lt_bvh_Hit;
+    var phi_1979_: lt_bvh_triangle_Intersection;
+    var phi_2018_: bool;
+    var phi_2019_: bool;
+    var phi_2020_: bool;
+    var phi_2021_: bool;
+    var phi_2022_: bool;
+    var phi_2023_: bool;
+    var phi_2027_: bool;
+    var phi_2028_: bool;
+    var phi_2235_: f32;
+    var phi_2238_: bool;
+    var phi_2239_: bool;
+    var phi_2243_: bool;
+    var phi_2251_: lt_bvh_Hit;
+    var phi_2252_: lt_bvh_Hit;
+    var phi_2253_: lt_bvh_Hit;
+    var phi_2254_: lt_bvh_Hit;
+    var phi_1492_: lt_bvh_Hit;
+    var phi_1495_: u32;
+    var phi_2255_: bool;
+    var phi_2294_: bool;
+    var phi_2295_: bool;
+    var phi_2326_: u32;
+    var phi_1155_: lt_bvh_Hit;
+    var phi_1158_: u32;
+    var phi_2327_: lt_bvh_Hit;
+    var phi_2328_: lt_bvh_Hit;
+    var phi_2329_: bool;
+    var phi_2333_: lt_bvh_Hit;
+    var phi_2398_: f32;
+    var phi_2403_: f32;
+    var phi_2408_: f32;
+    var phi_2419_: f32;
+    var phi_2424_: f32;
+    var phi_2429_: f32;
+    var phi_2505_: vec3<f32>;
+    var phi_2626_: u32;
+    var phi_2653_: f32;
+    var phi_2660_: f32;
+    var phi_2667_: f32;
+    var phi_2702_: f32;
+    var phi_2709_: f32;
+    var phi_2716_: f32;
+    var phi_2754_: f32;
+    var phi_2761_: f32;
+    var phi_2768_: f32;
+    var phi_2827_: vec3<f32>;
+    var phi_2828_: vec3<f32>;
+    var phi_2829_: vec3<f32>;
+    var phi_2838_: f32;
+    var phi_2839_: f32;
+    var phi_2849_: f32;
+    var phi_2850_: f32;
+    var phi_2860_: f32;
+    var phi_2861_: f32;
+    var phi_2896_: abi_Sample;
+    var local_5: lt_bvh_Hit;
+    var local_6: lt_bvh_Hit;
 
-    let _e68 = id_1;
-    let _e72 = arrayLength((&nodes.member));
-    let _e75 = arrayLength((&triangles.member));
-    let _e78 = arrayLength((&vertices.member));
-    let _e81 = arrayLength((&materials.member));
-    let _e87 = arrayLength((&alpha_texels.member));
-    let _e90 = p.member.size[0u];
-    let _e92 = p.member.size[1u];
-    let _e93 = lt_shaders_entry_pixel_index(_e68, _e90, _e92);
-    if (bitcast<i32>(_e93.root) != 0i) {
-        let _e101 = p.member.eye;
-        let _e106 = p.member.size[0u];
-        let _e110 = ((((f32(_e68.x) + 0.5f) / f32(_e106)) * 2f) - 1f);
-        let _e115 = p.member.size[1u];
-        let _e119 = (1f - (((f32(_e68.y) + 0.5f) / f32(_e115)) * 2f));
-        let _e121 = p.member.forward;
-        let _e123 = p.member.right;
-        let _e137 = p.member.up;
-        let _e148 = _lt_bvh_ray_Ray_new(_e101, vec3<f32>(((_e121.x + (_e123.x * _e110)) + (_e137.x * _e119)), ((_e121.y + (_e123.y * _e110)) + (_e137.y * _e119)), ((_e121.z + (_e123.z * _e110)) + (_e137.z * _e119))));
-        let _e150 = lt_bvh_Hit(_e148.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e160 = abs(_e148.direction.x);
-        let _e162 = abs(_e148.direction.y);
-        let _e164 = abs(_e148.direction.z);
-        if (abs(_e148.origin.x) < 1000000000000000f) {
-            if (abs(_e148.origin.y) < 1000000000000000f) {
-                if (abs(_e148.origin.z) < 1000000000000000f) {
-                    if (_e160 < 1000000000000000f) {
-                        if (_e162 < 1000000000000000f) {
-                            if (_e164 < 1000000000000000f) {
-                                if (_e160 > 0f) {
-                                    phi_722_ = bool();
-                                    phi_723_ = true;
+    let _e71 = id_1;
+    let _e75 = arrayLength((&nodes.member));
+    let _e78 = arrayLength((&triangles.member));
+    let _e81 = arrayLength((&vertices.member));
+    let _e84 = arrayLength((&materials.member));
+    let _e90 = arrayLength((&alpha_texels.member));
+    let _e93 = p.member.size[0u];
+    let _e95 = p.member.size[1u];
+    let _e96 = lt_shaders_entry_pixel_index(_e71, _e93, _e95);
+    if (bitcast<i32>(_e96.root) != 0i) {
+        let _e104 = p.member.eye;
+        let _e109 = p.member.size[0u];
+        let _e113 = ((((f32(_e71.x) + 0.5f) / f32(_e109)) * 2f) - 1f);
+        let _e118 = p.member.size[1u];
+        let _e122 = (1f - (((f32(_e71.y) + 0.5f) / f32(_e118)) * 2f));
+        let _e124 = p.member.forward;
+        let _e126 = p.member.right;
+        let _e140 = p.member.up;
+        let _e151 = _lt_bvh_ray_Ray_new(_e104, vec3<f32>(((_e124.x + (_e126.x * _e113)) + (_e140.x * _e122)), ((_e124.y + (_e126.y * _e113)) + (_e140.y * _e122)), ((_e124.z + (_e126.z * _e113)) + (_e140.z * _e122))));
+        let _e153 = lt_bvh_Hit(_e151.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e163 = abs(_e151.direction.x);
+        let _e165 = abs(_e151.direction.y);
+        let _e167 = abs(_e151.direction.z);
+        if (abs(_e151.origin.x) < 1000000000000000f) {
+            if (abs(_e151.origin.y) < 1000000000000000f) {
+                if (abs(_e151.origin.z) < 1000000000000000f) {
+                    if (_e163 < 1000000000000000f) {
+                        if (_e165 < 1000000000000000f) {
+                            if (_e167 < 1000000000000000f) {
+                                if (_e163 > 0f) {
+                                    phi_743_ = bool();
+                                    phi_744_ = true;
                                 } else {
-                                    let _e172 = (_e162 > 0f);
-                                    if _e172 {
-                                        phi_721_ = bool();
+                                    let _e175 = (_e165 > 0f);
+                                    if _e175 {
+                                        phi_742_ = bool();
                                     } else {
-                                        phi_721_ = (_e164 > 0f);
+                                        phi_742_ = (_e167 > 0f);
                                     }
-                                    let _e175 = phi_721_;
-                                    phi_722_ = _e175;
-                                    phi_723_ = _e172;
+                                    let _e178 = phi_742_;
+                                    phi_743_ = _e178;
+                                    phi_744_ = _e175;
                                 }
-                                let _e177 = phi_722_;
-                                let _e179 = phi_723_;
-                                if _e179 {
-                                    phi_727_ = true;
+                                let _e180 = phi_743_;
+                                let _e182 = phi_744_;
+                                if _e182 {
+                                    phi_748_ = true;
                                 } else {
-                                    phi_727_ = _e177;
+                                    phi_748_ = _e180;
                                 }
-                                let _e181 = phi_727_;
-                                phi_728_ = _e181;
-                                phi_729_ = false;
+                                let _e184 = phi_748_;
+                                phi_749_ = _e184;
+                                phi_750_ = false;
                             } else {
-                                phi_728_ = bool();
-                                phi_729_ = true;
+                                phi_749_ = bool();
+                                phi_750_ = true;
                             }
-                            let _e183 = phi_728_;
-                            let _e185 = phi_729_;
-                            phi_730_ = _e183;
-                            phi_731_ = false;
-                            phi_732_ = _e185;
+                            let _e186 = phi_749_;
+                            let _e188 = phi_750_;
+                            phi_751_ = _e186;
+                            phi_752_ = false;
+                            phi_753_ = _e188;
                         } else {
-                            phi_730_ = bool();
-                            phi_731_ = true;
-                            phi_732_ = false;
+                            phi_751_ = bool();
+                            phi_752_ = true;
+                            phi_753_ = false;
                         }
-                        let _e187 = phi_730_;
-                        let _e189 = phi_731_;
-                        let _e191 = phi_732_;
-                        phi_733_ = _e187;
-                        phi_734_ = _e189;
-                        phi_735_ = _e191;
+                        let _e190 = phi_751_;
+                        let _e192 = phi_752_;
+                        let _e194 = phi_753_;
+                        phi_754_ = _e190;
+                        phi_755_ = _e192;
+                        phi_756_ = _e194;
                     } else {
-                        phi_733_ = bool();
-                        phi_734_ = true;
-                        phi_735_ = false;
+                        phi_754_ = bool();
+                        phi_755_ = true;
+                        phi_756_ = false;
                     }
-                    let _e193 = phi_733_;
-                    let _e195 = phi_734_;
-                    let _e197 = phi_735_;
-                    phi_736_ = _e193;
-                    phi_737_ = _e195;
-                    phi_738_ = _e197;
+                    let _e196 = phi_754_;
+                    let _e198 = phi_755_;
+                    let _e200 = phi_756_;
+                    phi_757_ = _e196;
+                    phi_758_ = _e198;
+                    phi_759_ = _e200;
                 } else {
-                    phi_736_ = bool();
-                    phi_737_ = true;
-                    phi_738_ = false;
+                    phi_757_ = bool();
+                    phi_758_ = true;
+                    phi_759_ = false;
                 }
-                let _e199 = phi_736_;
-                let _e201 = phi_737_;
-                let _e203 = phi_738_;
-                phi_739_ = _e199;
-                phi_740_ = _e201;
-                phi_741_ = _e203;
+                let _e202 = phi_757_;
+                let _e204 = phi_758_;
+                let _e206 = phi_759_;
+                phi_760_ = _e202;
+                phi_761_ = _e204;
+                phi_762_ = _e206;
             } else {
-                phi_739_ = bool();
-                phi_740_ = true;
-                phi_741_ = false;
+                phi_760_ = bool();
+                phi_761_ = true;
+                phi_762_ = false;
             }
-            let _e205 = phi_739_;
-            let _e207 = phi_740_;
-            let _e209 = phi_741_;
-            phi_742_ = _e205;
-            phi_743_ = _e207;
-            phi_744_ = _e209;
+            let _e208 = phi_760_;
+            let _e210 = phi_761_;
+            let _e212 = phi_762_;
+            phi_763_ = _e208;
+            phi_764_ = _e210;
+            phi_765_ = _e212;
         } else {
-            phi_742_ = bool();
-            phi_743_ = true;
-            phi_744_ = false;
+            phi_763_ = bool();
+            phi_764_ = true;
+            phi_765_ = false;
         }
-        let _e211 = phi_742_;
-        let _e213 = phi_743_;
-        let _e215 = phi_744_;
-        if _e213 {
-            phi_748_ = true;
+        let _e214 = phi_763_;
+        let _e216 = phi_764_;
+        let _e218 = phi_765_;
+        if _e216 {
+            phi_769_ = true;
         } else {
-            phi_748_ = _e215;
+            phi_769_ = _e218;
         }
-        let _e217 = phi_748_;
-        if _e217 {
-            phi_752_ = false;
+        let _e220 = phi_769_;
+        if _e220 {
+            phi_773_ = false;
         } else {
-            phi_752_ = _e211;
+            phi_773_ = _e214;
         }
-        let _e219 = phi_752_;
-        if _e219 {
-            let _e220 = (0u >= _e72);
-            if _e220 {
-                phi_2274_ = lt_bvh_Hit();
+        let _e222 = phi_773_;
+        if _e222 {
+            let _e223 = (0u >= _e75);
+            if _e223 {
+                phi_2327_ = lt_bvh_Hit();
             } else {
-                if (0u < _e72) {
+                if (0u < _e75) {
                 } else {
                     return;
                 }
-                let _e226 = nodes.member[(0u + 0u)].frame[0u];
-                let _e230 = nodes.member[(0u + 0u)].frame[1u];
-                let _e234 = nodes.member[(0u + 0u)].frame[2u];
-                let _e238 = nodes.member[(0u + 0u)].frame[0u];
-                let _e242 = nodes.member[(0u + 0u)].frame[1u];
-                let _e246 = nodes.member[(0u + 0u)].frame[2u];
-                let _e250 = nodes.member[(0u + 0u)].frame[3u];
-                let _e288 = core_intrinsics_maximum_number_nsz_f32_(abs(_e148.direction.x), abs(_e148.direction.y));
-                let _e289 = core_intrinsics_maximum_number_nsz_f32_(_e288, abs(_e148.direction.z));
-                let _e290 = (_e289 * 0.0000000000009094947f);
-                if (abs(_e148.direction.x) < _e290) {
-                    phi_827_ = _e290;
+                let _e229 = nodes.member[(0u + 0u)].frame[0u];
+                let _e233 = nodes.member[(0u + 0u)].frame[1u];
+                let _e237 = nodes.member[(0u + 0u)].frame[2u];
+                let _e241 = nodes.member[(0u + 0u)].frame[0u];
+                let _e245 = nodes.member[(0u + 0u)].frame[1u];
+                let _e249 = nodes.member[(0u + 0u)].frame[2u];
+                let _e253 = nodes.member[(0u + 0u)].frame[3u];
+                let _e291 = core_intrinsics_maximum_number_nsz_f32_(abs(_e151.direction.x), abs(_e151.direction.y));
+                let _e292 = core_intrinsics_maximum_number_nsz_f32_(_e291, abs(_e151.direction.z));
+                let _e293 = (_e292 * 0.0000000000009094947f);
+                if (abs(_e151.direction.x) < _e293) {
+                    phi_848_ = _e293;
                 } else {
-                    phi_827_ = abs(_e148.direction.x);
+                    phi_848_ = abs(_e151.direction.x);
                 }
-                let _e297 = phi_827_;
-                if (_e148.direction.x < 0f) {
-                    phi_834_ = (-1f / _e297);
+                let _e300 = phi_848_;
+                if (_e151.direction.x < 0f) {
+                    phi_855_ = (-1f / _e300);
                 } else {
-                    phi_834_ = (1f / _e297);
+                    phi_855_ = (1f / _e300);
                 }
-                let _e302 = phi_834_;
-                if (abs(_e148.direction.y) < _e290) {
-                    phi_842_ = _e290;
+                let _e305 = phi_855_;
+                if (abs(_e151.direction.y) < _e293) {
+                    phi_863_ = _e293;
                 } else {
-                    phi_842_ = abs(_e148.direction.y);
+                    phi_863_ = abs(_e151.direction.y);
                 }
-                let _e309 = phi_842_;
-                if (_e148.direction.y < 0f) {
-                    phi_849_ = (-1f / _e309);
+                let _e312 = phi_863_;
+                if (_e151.direction.y < 0f) {
+                    phi_870_ = (-1f / _e312);
                 } else {
-                    phi_849_ = (1f / _e309);
+                    phi_870_ = (1f / _e312);
                 }
-                let _e314 = phi_849_;
-                if (abs(_e148.direction.z) < _e290) {
-                    phi_857_ = _e290;
+                let _e317 = phi_870_;
+                if (abs(_e151.direction.z) < _e293) {
+                    phi_878_ = _e293;
                 } else {
-                    phi_857_ = abs(_e148.direction.z);
+                    phi_878_ = abs(_e151.direction.z);
                 }
-                let _e321 = phi_857_;
-                if (_e148.direction.z < 0f) {
-                    phi_864_ = (-1f / _e321);
+                let _e324 = phi_878_;
+                if (_e151.direction.z < 0f) {
+                    phi_885_ = (-1f / _e324);
                 } else {
-                    phi_864_ = (1f / _e321);
+                    phi_885_ = (1f / _e324);
                 }
-                let _e326 = phi_864_;
-                let _e334 = abs((bitcast<f32>(_e226) - _e148.origin.x));
-                let _e335 = abs((bitcast<f32>(_e230) - _e148.origin.y));
-                let _e336 = abs((bitcast<f32>(_e234) - _e148.origin.z));
-                let _e344 = abs(((bitcast<f32>(_e238) + (bitcast<f32>((((_e250 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e148.origin.x));
-                let _e345 = abs(((bitcast<f32>(_e242) + (bitcast<f32>((((_e250 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e148.origin.y));
-                let _e346 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e250 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e148.origin.z));
-                if (_e334 > _e344) {
-                    phi_889_ = _e334;
+                let _e329 = phi_885_;
+                let _e337 = abs((bitcast<f32>(_e229) - _e151.origin.x));
+                let _e338 = abs((bitcast<f32>(_e233) - _e151.origin.y));
+                let _e339 = abs((bitcast<f32>(_e237) - _e151.origin.z));
+                let _e347 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e253 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.x));
+                let _e348 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e253 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.y));
+                let _e349 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e253 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.z));
+                if (_e337 > _e347) {
+                    phi_910_ = _e337;
                 } else {
-                    phi_889_ = _e344;
+                    phi_910_ = _e347;
                 }
-                let _e349 = phi_889_;
-                if (_e335 > _e345) {
-                    phi_894_ = _e335;
+                let _e352 = phi_910_;
+                if (_e338 > _e348) {
+                    phi_915_ = _e338;
                 } else {
-                    phi_894_ = _e345;
+                    phi_915_ = _e348;
                 }
-                let _e352 = phi_894_;
-                if (_e336 > _e346) {
-                    phi_899_ = _e336;
+                let _e355 = phi_915_;
+                if (_e339 > _e349) {
+                    phi_920_ = _e339;
                 } else {
-                    phi_899_ = _e346;
+                    phi_920_ = _e349;
                 }
-                let _e355 = phi_899_;
-                let _e356 = core_intrinsics_maximum_number_nsz_f32_(_e349, _e352);
-                let _e357 = core_intrinsics_maximum_number_nsz_f32_(_e356, _e355);
-                let _e362 = (_e357 * 0.0000019073486f);
-                let _e363 = (abs(_e302) * _e362);
-                let _e364 = (abs(_e314) * _e362);
-                let _e365 = (abs(_e326) * _e362);
-                let _e369 = (_e357 * 0.0000009536743f);
-                let _e370 = (abs(_e302) * _e369);
-                let _e371 = (abs(_e314) * _e369);
-                let _e372 = (abs(_e326) * _e369);
-                let _e375 = abs(_e148.direction.x);
-                let _e377 = abs(_e148.direction.y);
-                let _e379 = abs(_e148.direction.z);
-                if (_e375 >= _e377) {
-                    if (_e375 >= _e379) {
-                        phi_932_ = false;
+                let _e358 = phi_920_;
+                let _e359 = core_intrinsics_maximum_number_nsz_f32_(_e352, _e355);
+                let _e360 = core_intrinsics_maximum_number_nsz_f32_(_e359, _e358);
+                let _e365 = (_e360 * 0.0000019073486f);
+                let _e366 = (abs(_e305) * _e365);
+                let _e367 = (abs(_e317) * _e365);
+                let _e368 = (abs(_e329) * _e365);
+                let _e372 = (_e360 * 0.0000009536743f);
+                let _e373 = (abs(_e305) * _e372);
+                let _e374 = (abs(_e317) * _e372);
+                let _e375 = (abs(_e329) * _e372);
+                let _e378 = abs(_e151.direction.x);
+                let _e380 = abs(_e151.direction.y);
+                let _e382 = abs(_e151.direction.z);
+                if (_e378 >= _e380) {
+                    if (_e378 >= _e382) {
+                        phi_953_ = false;
                     } else {
-                        phi_932_ = true;
+                        phi_953_ = true;
                     }
-                    let _e383 = phi_932_;
-                    phi_933_ = _e383;
+                    let _e386 = phi_953_;
+                    phi_954_ = _e386;
                 } else {
-                    phi_933_ = true;
+                    phi_954_ = true;
                 }
-                let _e385 = phi_933_;
-                if _e385 {
-                    if (_e377 >= _e379) {
-                        phi_941_ = 1u;
+                let _e388 = phi_954_;
+                if _e388 {
+                    if (_e380 >= _e382) {
+                        phi_962_ = 1u;
                     } else {
-                        phi_941_ = 2u;
+                        phi_962_ = 2u;
                     }
-                    let _e388 = phi_941_;
-                    phi_942_ = _e388;
+                    let _e391 = phi_962_;
+                    phi_963_ = _e391;
                 } else {
-                    phi_942_ = 0u;
+                    phi_963_ = 0u;
                 }
-                let _e390 = phi_942_;
-                if (_e390 == 0u) {
-                    phi_961_ = vec3<f32>(_e148.direction.y, _e148.direction.z, _e148.direction.x);
+                let _e393 = phi_963_;
+                if (_e393 == 0u) {
+                    phi_982_ = vec3<f32>(_e151.direction.y, _e151.direction.z, _e151.direction.x);
                 } else {
-                    if (_e390 == 1u) {
-                        phi_960_ = vec3<f32>(_e148.direction.z, _e148.direction.x, _e148.direction.y);
+                    if (_e393 == 1u) {
+                        phi_981_ = vec3<f32>(_e151.direction.z, _e151.direction.x, _e151.direction.y);
                     } else {
-                        phi_960_ = _e148.direction;
+                        phi_981_ = _e151.direction;
                     }
-                    let _e403 = phi_960_;
-                    phi_961_ = _e403;
+                    let _e406 = phi_981_;
+                    phi_982_ = _e406;
                 }
-                let _e405 = phi_961_;
-                let _e409 = (_e405.x / _e405.z);
-                let _e412 = (_e405.y / _e405.z);
-                let _e414 = (1f / _e405.z);
-                if (_e302 < 0f) {
-                    phi_975_ = 0u;
+                let _e408 = phi_982_;
+                let _e412 = (_e408.x / _e408.z);
+                let _e415 = (_e408.y / _e408.z);
+                let _e417 = (1f / _e408.z);
+                if (_e305 < 0f) {
+                    phi_996_ = 0u;
                 } else {
-                    phi_975_ = 1u;
+                    phi_996_ = 1u;
                 }
-                let _e417 = phi_975_;
-                if (_e314 < 0f) {
-                    phi_980_ = 0u;
+                let _e420 = phi_996_;
+                if (_e317 < 0f) {
+                    phi_1001_ = 0u;
                 } else {
-                    phi_980_ = 2u;
+                    phi_1001_ = 2u;
                 }
-                let _e420 = phi_980_;
-                if (_e326 < 0f) {
-                    phi_985_ = 0u;
+                let _e423 = phi_1001_;
+                if (_e329 < 0f) {
+                    phi_1006_ = 0u;
                 } else {
-                    phi_985_ = 4u;
+                    phi_1006_ = 4u;
                 }
-                let _e423 = phi_985_;
-                let _e425 = ((_e417 | _e420) | _e423);
-                let _e426 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_4 = lt_bvh_traverse_Stack(array<u32, 32>(_e426.first[0], _e426.first[1], _e426.first[2], _e426.first[3], _e426.first[4], _e426.first[5], _e426.first[6], _e426.first[7], _e426.first[8], _e426.first[9], _e426.first[10], _e426.first[11], _e426.first[12], _e426.first[13], _e426.first[14], _e426.first[15], _e426.first[16], _e426.first[17], _e426.first[18], _e426.first[19], _e426.first[20], _e426.first[21], _e426.first[22], _e426.first[23], _e426.first[24], _e426.first[25], _e426.first[26], _e426.first[27], _e426.first[28], _e426.first[29], _e426.first[30], _e426.first[31]), array<u32, 32>(_e426.mask[0], _e426.mask[1], _e426.mask[2], _e426.mask[3], _e426.mask[4], _e426.mask[5], _e426.mask[6], _e426.mask[7], _e426.mask[8], _e426.mask[9], _e426.mask[10], _e426.mask[11], _e426.mask[12], _e426.mask[13], _e426.mask[14], _e426.mask[15], _e426.mask[16], _e426.mask[17], _e426.mask[18], _e426.mask[19], _e426.mask[20], _e426.mask[21], _e426.mask[22], _e426.mask[23], _e426.mask[24], _e426.mask[25], _e426.mask[26], _e426.mask[27], _e426.mask[28], _e426.mask[29], _e426.mask[30], _e426.mask[31]), _e426.len, _e426.group, _e426.group_mask);
-                let _e500 = local_4.group_mask;
-                if ((_e500 & 4278190080u) == 0u) {
-                    let _e504 = local_4.len;
-                    if (_e504 == 0u) {
-                        phi_1099_ = false;
+                let _e426 = phi_1006_;
+                let _e428 = ((_e420 | _e423) | _e426);
+                let _e429 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e429.first[0], _e429.first[1], _e429.first[2], _e429.first[3], _e429.first[4], _e429.first[5], _e429.first[6], _e429.first[7], _e429.first[8], _e429.first[9], _e429.first[10], _e429.first[11], _e429.first[12], _e429.first[13], _e429.first[14], _e429.first[15], _e429.first[16], _e429.first[17], _e429.first[18], _e429.first[19], _e429.first[20], _e429.first[21], _e429.first[22], _e429.first[23], _e429.first[24], _e429.first[25], _e429.first[26], _e429.first[27], _e429.first[28], _e429.first[29], _e429.first[30], _e429.first[31]), array<u32, 32>(_e429.mask[0], _e429.mask[1], _e429.mask[2], _e429.mask[3], _e429.mask[4], _e429.mask[5], _e429.mask[6], _e429.mask[7], _e429.mask[8], _e429.mask[9], _e429.mask[10], _e429.mask[11], _e429.mask[12], _e429.mask[13], _e429.mask[14], _e429.mask[15], _e429.mask[16], _e429.mask[17], _e429.mask[18], _e429.mask[19], _e429.mask[20], _e429.mask[21], _e429.mask[22], _e429.mask[23], _e429.mask[24], _e429.mask[25], _e429.mask[26], _e429.mask[27], _e429.mask[28], _e429.mask[29], _e429.mask[30], _e429.mask[31]), _e429.len, _e429.group, _e429.group_mask);
+                let _e503 = local_1.group_mask;
+                if ((_e503 & 4278190080u) == 0u) {
+                    let _e507 = local_1.len;
+                    if (_e507 == 0u) {
+                        phi_1120_ = false;
                     } else {
-                        let _e508 = local_4.len;
-                        local_4.len = (_e508 - 1u);
-                        let _e511 = local_4.len;
-                        if (_e511 < 32u) {
+                        let _e511 = local_1.len;
+                        local_1.len = (_e511 - 1u);
+                        let _e514 = local_1.len;
+                        if (_e514 < 32u) {
                         } else {
                             return;
                         }
-                        let _e516 = local_4.first[(0u + _e511)];
-                        local_4.group = _e516;
-                        let _e519 = local_4.len;
-                        if (_e519 < 32u) {
+                        let _e519 = local_1.first[(0u + _e514)];
+                        local_1.group = _e519;
+                        let _e522 = local_1.len;
+                        if (_e522 < 32u) {
                         } else {
                             return;
                         }
-                        let _e524 = local_4.mask[(0u + _e519)];
-                        local_4.group_mask = _e524;
-                        phi_1099_ = true;
+                        let _e527 = local_1.mask[(0u + _e522)];
+                        local_1.group_mask = _e527;
+                        phi_1120_ = true;
                     }
-                    let _e527 = phi_1099_;
-                    phi_1100_ = _e527;
+                    let _e530 = phi_1120_;
+                    phi_1121_ = _e530;
                 } else {
-                    phi_1100_ = true;
+                    phi_1121_ = true;
                 }
-                let _e529 = phi_1100_;
-                if _e529 {
-                    let _e531 = local_4.group_mask;
-                    let _e537 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e531)), 32u, (_e531 == 0u)));
-                    let _e541 = local_4.group_mask;
-                    let _e555 = local_4.group_mask;
-                    local_4.group_mask = (_e555 & ~((1u << bitcast<u32>((_e537 & 31u)))));
-                    let _e558 = local_4.group;
-                    phi_1131_ = (_e558 + countOneBits(((_e541 & ~((4294967295u << bitcast<u32>((((_e537 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e532 = phi_1121_;
+                if _e532 {
+                    let _e534 = local_1.group_mask;
+                    let _e540 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e534)), 32u, (_e534 == 0u)));
+                    let _e544 = local_1.group_mask;
+                    let _e558 = local_1.group_mask;
+                    local_1.group_mask = (_e558 & ~((1u << bitcast<u32>((_e540 & 31u)))));
+                    let _e561 = local_1.group;
+                    phi_1152_ = (_e561 + countOneBits(((_e544 & ~((4294967295u << bitcast<u32>((((_e540 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1131_ = 4294967295u;
+                    phi_1152_ = 4294967295u;
                 }
-                let _e561 = phi_1131_;
-                phi_1133_ = _e150;
-                phi_1136_ = _e561;
+                let _e564 = phi_1152_;
+                phi_1154_ = _e153;
+                phi_1157_ = _e564;
                 loop {
-                    let _e563 = phi_1133_;
-                    let _e565 = phi_1136_;
-                    local_9 = _e563;
-                    let _e566 = (_e565 != 4294967295u);
-                    if _e566 {
-                        if (_e565 < _e72) {
+                    let _e566 = phi_1154_;
+                    let _e568 = phi_1157_;
+                    local_6 = _e566;
+                    let _e569 = (_e568 != 4294967295u);
+                    if _e569 {
+                        if (_e568 < _e75) {
                         } else {
                             return;
                         }
-                        let _e574 = nodes.member[(0u + _e565)].frame[3u];
-                        let _e599 = (bitcast<f32>((((_e574 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
-                        let _e600 = (bitcast<f32>((((_e574 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
-                        let _e601 = (bitcast<f32>((((_e574 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e326);
-                        let _e604 = nodes.member[(0u + _e565)].frame[0u];
-                        let _e608 = nodes.member[(0u + _e565)].frame[1u];
-                        let _e612 = nodes.member[(0u + _e565)].frame[2u];
-                        let _e620 = ((bitcast<f32>(_e604) - _e148.origin.x) * _e302);
-                        let _e621 = ((bitcast<f32>(_e608) - _e148.origin.y) * _e314);
-                        let _e622 = ((bitcast<f32>(_e612) - _e148.origin.z) * _e326);
-                        let _e630 = nodes.member[(0u + _e565)].x;
-                        if (_e302 < 0f) {
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e630.w), _e641.unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e630.x, _e647.unnamed_1.first_primitive));
-                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e630.y));
+                        let _e577 = nodes.member[(0u + _e568)].frame[3u];
+                        let _e602 = (bitcast<f32>((((_e577 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e305);
+                        let _e603 = (bitcast<f32>((((_e577 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e317);
+                        let _e604 = (bitcast<f32>((((_e577 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e329);
+                        let _e607 = nodes.member[(0u + _e568)].frame[0u];
+                        let _e611 = nodes.member[(0u + _e568)].frame[1u];
+                        let _e615 = nodes.member[(0u + _e568)].frame[2u];
+                        let _e623 = ((bitcast<f32>(_e607) - _e151.origin.x) * _e305);
+                        let _e624 = ((bitcast<f32>(_e611) - _e151.origin.y) * _e317);
+                        let _e625 = ((bitcast<f32>(_e615) - _e151.origin.z) * _e329);
+                        let _e633 = nodes.member[(0u + _e568)].x;
+                        if (_e305 < 0f) {
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.unnamed.root, _e633.w), _e644.unnamed_1);
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e633.x, _e650.unnamed_1.first_primitive));
+                            phi_1242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e633.y));
                         } else {
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e669.unnamed.root, _e630.y), _e669.unnamed_1);
-                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e630.z, _e675.unnamed_1.first_primitive));
-                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_bvh_traverse_Tree(_e681.unnamed_1.root, _e630.w));
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e672.unnamed.root, _e633.y), _e672.unnamed_1);
+                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e633.z, _e678.unnamed_1.first_primitive));
+                            phi_1242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e684.unnamed_1.root, _e633.w));
                         }
-                        let _e689 = phi_1221_;
-                        let _e699 = nodes.member[(0u + _e565)].y;
-                        if (_e314 < 0f) {
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e699.w), _e710.unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e699.x, _e716.unnamed_1.first_primitive));
-                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e699.y));
+                        let _e692 = phi_1242_;
+                        let _e702 = nodes.member[(0u + _e568)].y;
+                        if (_e317 < 0f) {
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.unnamed.root, _e702.w), _e713.unnamed_1);
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e702.x, _e719.unnamed_1.first_primitive));
+                            phi_1269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e702.y));
                         } else {
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e738.unnamed.root, _e699.y), _e738.unnamed_1);
-                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e699.z, _e744.unnamed_1.first_primitive));
-                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_bvh_traverse_Tree(_e750.unnamed_1.root, _e699.w));
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e741.unnamed.root, _e702.y), _e741.unnamed_1);
+                            let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e702.z, _e747.unnamed_1.first_primitive));
+                            phi_1269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_bvh_traverse_Tree(_e753.unnamed_1.root, _e702.w));
                         }
-                        let _e758 = phi_1248_;
-                        let _e768 = nodes.member[(0u + _e565)].z;
-                        if (_e326 < 0f) {
-                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e768.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.unnamed.root, _e768.w), _e779.unnamed_1);
-                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_bvh_traverse_Tree(_e768.x, _e785.unnamed_1.first_primitive));
-                            phi_1275_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_bvh_traverse_Tree(_e791.unnamed_1.root, _e768.y));
+                        let _e761 = phi_1269_;
+                        let _e771 = nodes.member[(0u + _e568)].z;
+                        if (_e329 < 0f) {
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.unnamed.root, _e771.w), _e782.unnamed_1);
+                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e771.x, _e788.unnamed_1.first_primitive));
+                            phi_1296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e771.y));
                         } else {
-                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e768.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e807.unnamed.root, _e768.y), _e807.unnamed_1);
-                            let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e813.unnamed, lt_bvh_traverse_Tree(_e768.z, _e813.unnamed_1.first_primitive));
-                            phi_1275_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e819.unnamed, lt_bvh_traverse_Tree(_e819.unnamed_1.root, _e768.w));
+                            let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e810.unnamed.root, _e771.y), _e810.unnamed_1);
+                            let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e816.unnamed, lt_bvh_traverse_Tree(_e771.z, _e816.unnamed_1.first_primitive));
+                            phi_1296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_bvh_traverse_Tree(_e822.unnamed_1.root, _e771.w));
                         }
-                        let _e827 = phi_1275_;
-                        phi_1281_ = 0u;
-                        phi_1284_ = 0u;
+                        let _e830 = phi_1296_;
+                        phi_1302_ = 0u;
+                        phi_1305_ = 0u;
                         loop {
-                            let _e837 = phi_1281_;
-                            let _e839 = phi_1284_;
-                            local_5 = _e839;
-                            local_6 = _e839;
-                            local_7 = _e839;
-                            let _e840 = (_e837 < 8u);
-                            if _e840 {
-                                let _e842 = (_e837 >> bitcast<u32>(2i));
-                                let _e843 = (_e837 & 3u);
-                                if (_e842 == 0u) {
-                                    phi_1298_ = _e689.unnamed.root;
+                            let _e840 = phi_1302_;
+                            let _e842 = phi_1305_;
+                            local_2 = _e842;
+                            local_3 = _e842;
+                            local_4 = _e842;
+                            let _e843 = (_e840 < 8u);
+                            if _e843 {
+                                let _e845 = (_e840 >> bitcast<u32>(2i));
+                                let _e846 = (_e840 & 3u);
+                                if (_e845 == 0u) {
+                                    phi_1319_ = _e692.unnamed.root;
                                 } else {
-                                    phi_1298_ = _e689.unnamed.first_primitive;
+                                    phi_1319_ = _e692.unnamed.first_primitive;
                                 }
-                                let _e846 = phi_1298_;
-                                if (_e842 == 0u) {
-                                    phi_1308_ = _e758.unnamed.root;
+                                let _e849 = phi_1319_;
+                                if (_e845 == 0u) {
+                                    phi_1329_ = _e761.unnamed.root;
                                 } else {
-                                    phi_1308_ = _e758.unnamed.first_primitive;
+                                    phi_1329_ = _e761.unnamed.first_primitive;
                                 }
-                                let _e855 = phi_1308_;
-                                if (_e842 == 0u) {
-                                    phi_1318_ = _e827.unnamed.root;
+                                let _e858 = phi_1329_;
+                                if (_e845 == 0u) {
+                                    phi_1339_ = _e830.unnamed.root;
                                 } else {
-                                    phi_1318_ = _e827.unnamed.first_primitive;
+                                    phi_1339_ = _e830.unnamed.first_primitive;
                                 }
-                                let _e864 = phi_1318_;
-                                let _e877 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e846 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e363)), ((f32(((_e855 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e600) + (_e621 - _e364)));
-                                let _e878 = core_intrinsics_maximum_number_nsz_f32_(_e877, ((f32(((_e864 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e601) + (_e622 - _e365)));
-                                if (_e842 == 0u) {
-                                    phi_1336_ = _e689.unnamed_1.root;
+                                let _e867 = phi_1339_;
+                                let _e880 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e849 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e366)), ((f32(((_e858 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 - _e367)));
+                                let _e881 = core_intrinsics_maximum_number_nsz_f32_(_e880, ((f32(((_e867 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e604) + (_e625 - _e368)));
+                                if (_e845 == 0u) {
+                                    phi_1357_ = _e692.unnamed_1.root;
                                 } else {
-                                    phi_1336_ = _e689.unnamed_1.first_primitive;
+                                    phi_1357_ = _e692.unnamed_1.first_primitive;
                                 }
-                                let _e881 = phi_1336_;
-                                if (_e842 == 0u) {
-                                    phi_1346_ = _e758.unnamed_1.root;
+                                let _e884 = phi_1357_;
+                                if (_e845 == 0u) {
+                                    phi_1367_ = _e761.unnamed_1.root;
                                 } else {
-                                    phi_1346_ = _e758.unnamed_1.first_primitive;
+                                    phi_1367_ = _e761.unnamed_1.first_primitive;
                                 }
-                                let _e890 = phi_1346_;
-                                if (_e842 == 0u) {
-                                    phi_1356_ = _e827.unnamed_1.root;
+                                let _e893 = phi_1367_;
+                                if (_e845 == 0u) {
+                                    phi_1377_ = _e830.unnamed_1.root;
                                 } else {
-                                    phi_1356_ = _e827.unnamed_1.first_primitive;
+                                    phi_1377_ = _e830.unnamed_1.first_primitive;
                                 }
-                                let _e899 = phi_1356_;
-                                let _e912 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e881 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e363)), ((f32(((_e890 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e600) + (_e621 + _e364)));
-                                let _e913 = core_intrinsics_minimum_number_nsz_f32_(_e912, ((f32(((_e899 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e601) + (_e622 + _e365)));
-                                if (_e878 <= _e913) {
-                                    if (_e878 <= _e563.t) {
-                                        if (_e913 >= _e148.tmin) {
-                                            if (_e842 == 0u) {
-                                                let _e920 = nodes.member[(0u + _e565)].links[2u];
-                                                phi_1392_ = _e920;
+                                let _e902 = phi_1377_;
+                                let _e915 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e884 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e366)), ((f32(((_e893 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 + _e367)));
+                                let _e916 = core_intrinsics_minimum_number_nsz_f32_(_e915, ((f32(((_e902 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e604) + (_e625 + _e368)));
+                                if (_e881 <= _e916) {
+                                    if (_e881 <= _e566.t) {
+                                        if (_e916 >= _e151.tmin) {
+                                            if (_e845 == 0u) {
+                                                let _e923 = nodes.member[(0u + _e568)].links[2u];
+                                                phi_1413_ = _e923;
                                             } else {
-                                                let _e923 = nodes.member[(0u + _e565)].links[3u];
-                                                phi_1392_ = _e923;
+                                                let _e926 = nodes.member[(0u + _e568)].links[3u];
+                                                phi_1413_ = _e926;
                                             }
-                                            let _e925 = phi_1392_;
-                                            let _e930 = ((_e925 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u);
-                                            let _e931 = (_e930 & 31u);
-                                            if (_e931 >= 24u) {
-                                                phi_1405_ = (24u + ((_e931 - 24u) ^ _e425));
+                                            let _e928 = phi_1413_;
+                                            let _e933 = ((_e928 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u);
+                                            let _e934 = (_e933 & 31u);
+                                            if (_e934 >= 24u) {
+                                                phi_1426_ = (24u + ((_e934 - 24u) ^ _e428));
                                             } else {
-                                                phi_1405_ = _e931;
+                                                phi_1426_ = _e934;
                                             }
-                                            let _e937 = phi_1405_;
-                                            phi_1410_ = (_e839 | ((_e930 >> bitcast<u32>(5i)) << bitcast<u32>((_e937 & 31u))));
+                                            let _e940 = phi_1426_;
+                                            phi_1431_ = (_e842 | ((_e933 >> bitcast<u32>(5i)) << bitcast<u32>((_e940 & 31u))));
                                         } else {
-                                            phi_1410_ = _e839;
+                                            phi_1431_ = _e842;
                                         }
-                                        let _e945 = phi_1410_;
-                                        phi_1411_ = _e945;
+                                        let _e948 = phi_1431_;
+                                        phi_1432_ = _e948;
                                     } else {
-                                        phi_1411_ = _e839;
+                                        phi_1432_ = _e842;
                                     }
-                                    let _e947 = phi_1411_;
-                                    phi_1412_ = _e947;
+                                    let _e950 = phi_1432_;
+                                    phi_1433_ = _e950;
                                 } else {
-                                    phi_1412_ = _e839;
+                                    phi_1433_ = _e842;
                                 }
-                                let _e949 = phi_1412_;
-                                phi_1282_ = (_e837 + 1u);
-                                phi_1285_ = _e949;
+                                let _e952 = phi_1433_;
+                                phi_1303_ = (_e840 + 1u);
+                                phi_1306_ = _e952;
                             } else {
-                                phi_1282_ = u32();
-                                phi_1285_ = u32();
+                                phi_1303_ = u32();
+                                phi_1306_ = u32();
                             }
-                            let _e952 = phi_1282_;
-                            let _e954 = phi_1285_;
+                            let _e955 = phi_1303_;
+                            let _e957 = phi_1306_;
                             continue;
                             continuing {
-                                phi_1281_ = _e952;
-                                phi_1284_ = _e954;
-                                break if !(_e840);
+                                phi_1302_ = _e955;
+                                phi_1305_ = _e957;
+                                break if !(_e843);
                             }
                         }
-                        let _e958 = nodes.member[(0u + _e565)].links[0u];
-                        let _e962 = nodes.member[(0u + _e565)].frame[3u];
-                        let _e966 = local_5;
-                        if ((_e966 & 4278190080u) == 0u) {
+                        let _e961 = nodes.member[(0u + _e568)].links[0u];
+                        let _e965 = nodes.member[(0u + _e568)].frame[3u];
+                        let _e969 = local_2;
+                        if ((_e969 & 4278190080u) == 0u) {
                         } else {
-                            let _e970 = local_4.group_mask;
-                            if ((_e970 & 4278190080u) == 0u) {
+                            let _e973 = local_1.group_mask;
+                            if ((_e973 & 4278190080u) == 0u) {
                             } else {
-                                let _e974 = local_4.len;
-                                if (_e974 < 32u) {
-                                    let _e977 = local_4.group;
-                                    let _e979 = local_4.len;
-                                    if (_e979 < 32u) {
+                                let _e977 = local_1.len;
+                                if (_e977 < 32u) {
+                                    let _e980 = local_1.group;
+                                    let _e982 = local_1.len;
+                                    if (_e982 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_4.first[(0u + _e979)] = _e977;
-                                    let _e985 = local_4.group_mask;
-                                    let _e987 = local_4.len;
-                                    if (_e987 < 32u) {
+                                    local_1.first[(0u + _e982)] = _e980;
+                                    let _e988 = local_1.group_mask;
+                                    let _e990 = local_1.len;
+                                    if (_e990 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_4.mask[(0u + _e987)] = _e985;
-                                    let _e994 = local_4.len;
-                                    local_4.len = (_e994 + 1u);
+                                    local_1.mask[(0u + _e990)] = _e988;
+                                    let _e997 = local_1.len;
+                                    local_1.len = (_e997 + 1u);
                                 }
                             }
-                            local_4.group = (0u + _e958);
-                            let _e998 = local_6;
-                            local_4.group_mask = ((_e998 & 4278190080u) | (_e962 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e961);
+                            let _e1001 = local_3;
+                            local_1.group_mask = ((_e1001 & 4278190080u) | (_e965 >> bitcast<u32>(24i)));
                         }
-                        let _e1003 = local_7;
-                        phi_1470_ = _e563;
-                        phi_1473_ = (_e1003 & 16777215u);
+                        let _e1006 = local_4;
+                        phi_1491_ = _e566;
+                        phi_1494_ = (_e1006 & 16777215u);
                         loop {
-                            let _e1006 = phi_1470_;
-                            let _e1008 = phi_1473_;
-                            local_8 = _e1006;
-                            if (_e1008 == 0u) {
-                                phi_1471_ = lt_bvh_Hit();
-                                phi_1474_ = u32();
-                                phi_2202_ = false;
+                            let _e1009 = phi_1491_;
+                            let _e1011 = phi_1494_;
+                            local_5 = _e1009;
+                            if (_e1011 == 0u) {
+                                phi_1492_ = lt_bvh_Hit();
+                                phi_1495_ = u32();
+                                phi_2255_ = false;
                             } else {
-                                let _e1012 = nodes.member[(0u + _e565)].links[1u];
-                                let _e1017 = ((0u + _e1012) + select(firstTrailingBit(_e1008), 32u, (_e1008 == 0u)));
-                                if (_e1017 < _e75) {
+                                let _e1015 = nodes.member[(0u + _e568)].links[1u];
+                                let _e1020 = ((0u + _e1015) + select(firstTrailingBit(_e1011), 32u, (_e1011 == 0u)));
+                                if (_e1020 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e1024 = triangles.member[(0u + _e1017)].v0_;
-                                let _e1027 = (_e1024.x - _e148.origin.x);
-                                let _e1030 = (_e1024.y - _e148.origin.y);
-                                let _e1033 = (_e1024.z - _e148.origin.z);
-                                if (_e390 == 0u) {
-                                    phi_1520_ = vec3<f32>(_e1030, _e1033, _e1027);
+                                let _e1027 = triangles.member[(0u + _e1020)].v0_;
+                                let _e1030 = (_e1027.x - _e151.origin.x);
+                                let _e1033 = (_e1027.y - _e151.origin.y);
+                                let _e1036 = (_e1027.z - _e151.origin.z);
+                                if (_e393 == 0u) {
+                                    phi_1541_ = vec3<f32>(_e1033, _e1036, _e1030);
                                 } else {
-                                    if (_e390 == 1u) {
-                                        phi_1519_ = vec3<f32>(_e1033, _e1027, _e1030);
+                                    if (_e393 == 1u) {
+                                        phi_1540_ = vec3<f32>(_e1036, _e1030, _e1033);
                                     } else {
-                                        phi_1519_ = (_e1024 - _e148.origin);
+                                        phi_1540_ = (_e1027 - _e151.origin);
                                     }
-                                    let _e1040 = phi_1519_;
-                                    phi_1520_ = _e1040;
+                                    let _e1043 = phi_1540_;
+                                    phi_1541_ = _e1043;
                                 }
-                                let _e1042 = phi_1520_;
-                                let _e1046 = (_e1042.x - (_e409 * _e1042.z));
-                                let _e1050 = (_e1042.y - (_e412 * _e1042.z));
-                                let _e1054 = triangles.member[(0u + _e1017)].v1_;
-                                let _e1057 = (_e1054.x - _e148.origin.x);
-                                let _e1060 = (_e1054.y - _e148.origin.y);
-                                let _e1063 = (_e1054.z - _e148.origin.z);
-                                if (_e390 == 0u) {
-                                    phi_1554_ = vec3<f32>(_e1060, _e1063, _e1057);
+                                let _e1045 = phi_1541_;
+                                let _e1049 = (_e1045.x - (_e412 * _e1045.z));
+                                let _e1053 = (_e1045.y - (_e415 * _e1045.z));
+                                let _e1057 = triangles.member[(0u + _e1020)].v1_;
+                                let _e1060 = (_e1057.x - _e151.origin.x);
+                                let _e1063 = (_e1057.y - _e151.origin.y);
+                                let _e1066 = (_e1057.z - _e151.origin.z);
+                                if (_e393 == 0u) {
+                                    phi_1575_ = vec3<f32>(_e1063, _e1066, _e1060);
                                 } else {
-                                    if (_e390 == 1u) {
-                                        phi_1553_ = vec3<f32>(_e1063, _e1057, _e1060);
+                                    if (_e393 == 1u) {
+                                        phi_1574_ = vec3<f32>(_e1066, _e1060, _e1063);
                                     } else {
-                                        phi_1553_ = (_e1054 - _e148.origin);
+                                        phi_1574_ = (_e1057 - _e151.origin);
                                     }
-                                    let _e1070 = phi_1553_;
-                                    phi_1554_ = _e1070;
+                                    let _e1073 = phi_1574_;
+                                    phi_1575_ = _e1073;
                                 }
-                                let _e1072 = phi_1554_;
-                                let _e1076 = (_e1072.x - (_e409 * _e1072.z));
-                                let _e1080 = (_e1072.y - (_e412 * _e1072.z));
-                                let _e1084 = triangles.member[(0u + _e1017)].v2_;
-                                let _e1087 = (_e1084.x - _e148.origin.x);
-                                let _e1090 = (_e1084.y - _e148.origin.y);
-                                let _e1093 = (_e1084.z - _e148.origin.z);
-                                if (_e390 == 0u) {
-                                    phi_1588_ = vec3<f32>(_e1090, _e1093, _e1087);
+                                let _e1075 = phi_1575_;
+                                let _e1079 = (_e1075.x - (_e412 * _e1075.z));
+                                let _e1083 = (_e1075.y - (_e415 * _e1075.z));
+                                let _e1087 = triangles.member[(0u + _e1020)].v2_;
+                                let _e1090 = (_e1087.x - _e151.origin.x);
+                                let _e1093 = (_e1087.y - _e151.origin.y);
+                                let _e1096 = (_e1087.z - _e151.origin.z);
+                                if (_e393 == 0u) {
+                                    phi_1609_ = vec3<f32>(_e1093, _e1096, _e1090);
                                 } else {
-                                    if (_e390 == 1u) {
-                                        phi_1587_ = vec3<f32>(_e1093, _e1087, _e1090);
+                                    if (_e393 == 1u) {
+                                        phi_1608_ = vec3<f32>(_e1096, _e1090, _e1093);
                                     } else {
-                                        phi_1587_ = (_e1084 - _e148.origin);
+                                        phi_1608_ = (_e1087 - _e151.origin);
                                     }
-                                    let _e1100 = phi_1587_;
-                                    phi_1588_ = _e1100;
+                                    let _e1103 = phi_1608_;
+                                    phi_1609_ = _e1103;
                                 }
-                                let _e1102 = phi_1588_;
-                                let _e1106 = (_e1102.x - (_e409 * _e1102.z));
-                                let _e1110 = (_e1102.y - (_e412 * _e1102.z));
-                                if (_e1076 < _e1106) {
-                                    phi_1609_ = true;
+                                let _e1105 = phi_1609_;
+                                let _e1109 = (_e1105.x - (_e412 * _e1105.z));
+                                let _e1113 = (_e1105.y - (_e415 * _e1105.z));
+                                if (_e1079 < _e1109) {
+                                    phi_1630_ = true;
                                 } else {
-                                    if (_e1076 == _e1106) {
-                                        phi_1608_ = (_e1080 < _e1110);
+                                    if (_e1079 == _e1109) {
+                                        phi_1629_ = (_e1083 < _e1113);
                                     } else {
-                                        phi_1608_ = false;
+                                        phi_1629_ = false;
                                     }
-                                    let _e1117 = phi_1608_;
-                                    phi_1609_ = _e1117;
+                                    let _e1120 = phi_1629_;
+                                    phi_1630_ = _e1120;
                                 }
-                                let _e1119 = phi_1609_;
-                                if _e1119 {
-                                    phi_1613_ = _e1110;
-                                    phi_1614_ = _e1106;
-                                    phi_1615_ = _e1080;
-                                    phi_1616_ = _e1076;
+                                let _e1122 = phi_1630_;
+                                if _e1122 {
+                                    phi_1634_ = _e1113;
+                                    phi_1635_ = _e1109;
+                                    phi_1636_ = _e1083;
+                                    phi_1637_ = _e1079;
                                 } else {
-                                    phi_1613_ = _e1080;
-                                    phi_1614_ = _e1076;
-                                    phi_1615_ = _e1110;
-                                    phi_1616_ = _e1106;
+                                    phi_1634_ = _e1083;
+                                    phi_1635_ = _e1079;
+                                    phi_1636_ = _e1113;
+                                    phi_1637_ = _e1109;
                                 }
-                                let _e1121 = phi_1613_;
-                                let _e1123 = phi_1614_;
-                                let _e1125 = phi_1615_;
-                                let _e1127 = phi_1616_;
-                                let _e1130 = ((_e1127 * _e1121) - (_e1125 * _e1123));
-                                if _e1119 {
-                                    phi_1624_ = -(_e1130);
+                                let _e1124 = phi_1634_;
+                                let _e1126 = phi_1635_;
+                                let _e1128 = phi_1636_;
+                                let _e1130 = phi_1637_;
+                                let _e1133 = ((_e1130 * _e1124) - (_e1128 * _e1126));
+                                if _e1122 {
+                                    phi_1645_ = -(_e1133);
                                 } else {
-                                    phi_1624_ = _e1130;
+                                    phi_1645_ = _e1133;
                                 }
-                                let _e1133 = phi_1624_;
-                                if (_e1106 < _e1046) {
-                                    phi_1635_ = true;
+                                let _e1136 = phi_1645_;
+                                if (_e1109 < _e1049) {
+                                    phi_1656_ = true;
                                 } else {
-                                    if (_e1106 == _e1046) {
-                                        phi_1634_ = (_e1110 < _e1050);
+                                    if (_e1109 == _e1049) {
+                                        phi_1655_ = (_e1113 < _e1053);
                                     } else {
-                                        phi_1634_ = false;
+                                        phi_1655_ = false;
                                     }
-                                    let _e1138 = phi_1634_;
-                                    phi_1635_ = _e1138;
+                                    let _e1141 = phi_1655_;
+                                    phi_1656_ = _e1141;
                                 }
-                                let _e1140 = phi_1635_;
-                                if _e1140 {
-                                    phi_1639_ = _e1050;
-                                    phi_1640_ = _e1046;
-                                    phi_1641_ = _e1110;
-                                    phi_1642_ = _e1106;
+                                let _e1143 = phi_1656_;
+                                if _e1143 {
+                                    phi_1660_ = _e1053;
+                                    phi_1661_ = _e1049;
+                                    phi_1662_ = _e1113;
+                                    phi_1663_ = _e1109;
                                 } else {
-                                    phi_1639_ = _e1110;
-                                    phi_1640_ = _e1106;
-                                    phi_1641_ = _e1050;
-                                    phi_1642_ = _e1046;
+                                    phi_1660_ = _e1113;
+                                    phi_1661_ = _e1109;
+                                    phi_1662_ = _e1053;
+                                    phi_1663_ = _e1049;
                                 }
-                                let _e1142 = phi_1639_;
-                                let _e1144 = phi_1640_;
-                                let _e1146 = phi_1641_;
-                                let _e1148 = phi_1642_;
-                                let _e1151 = ((_e1148 * _e1142) - (_e1146 * _e1144));
-                                if _e1140 {
-                                    phi_1650_ = -(_e1151);
+                                let _e1145 = phi_1660_;
+                                let _e1147 = phi_1661_;
+                                let _e1149 = phi_1662_;
+                                let _e1151 = phi_1663_;
+                                let _e1154 = ((_e1151 * _e1145) - (_e1149 * _e1147));
+                                if _e1143 {
+                                    phi_1671_ = -(_e1154);
                                 } else {
-                                    phi_1650_ = _e1151;
+                                    phi_1671_ = _e1154;
                                 }
-                                let _e1154 = phi_1650_;
-                                if (_e1046 < _e1076) {
-                                    phi_1661_ = true;
+                                let _e1157 = phi_1671_;
+                                if (_e1049 < _e1079) {
+                                    phi_1682_ = true;
                                 } else {
-                                    if (_e1046 == _e1076) {
-                                        phi_1660_ = (_e1050 < _e1080);
+                                    if (_e1049 == _e1079) {
+                                        phi_1681_ = (_e1053 < _e1083);
                                     } else {
-                                        phi_1660_ = false;
+                                        phi_1681_ = false;
                                     }
-                                    let _e1159 = phi_1660_;
-                                    phi_1661_ = _e1159;
+                                    let _e1162 = phi_1681_;
+                                    phi_1682_ = _e1162;
                                 }
-                                let _e1161 = phi_1661_;
-                                if _e1161 {
-                                    phi_1665_ = _e1080;
-                                    phi_1666_ = _e1076;
-                                    phi_1667_ = _e1050;
-                                    phi_1668_ = _e1046;
+                                let _e1164 = phi_1682_;
+                                if _e1164 {
+                                    phi_1686_ = _e1083;
+                                    phi_1687_ = _e1079;
+                                    phi_1688_ = _e1053;
+                                    phi_1689_ = _e1049;
                                 } else {
-                                    phi_1665_ = _e1050;
-                                    phi_1666_ = _e1046;
-                                    phi_1667_ = _e1080;
-                                    phi_1668_ = _e1076;
+                                    phi_1686_ = _e1053;
+                                    phi_1687_ = _e1049;
+                                    phi_1688_ = _e1083;
+                                    phi_1689_ = _e1079;
                                 }
-                                let _e1163 = phi_1665_;
-                                let _e1165 = phi_1666_;
-                                let _e1167 = phi_1667_;
-                                let _e1169 = phi_1668_;
-                                let _e1172 = ((_e1169 * _e1163) - (_e1167 * _e1165));
-                                if _e1161 {
-                                    phi_1676_ = -(_e1172);
+                                let _e1166 = phi_1686_;
+                                let _e1168 = phi_1687_;
+                                let _e1170 = phi_1688_;
+                                let _e1172 = phi_1689_;
+                                let _e1175 = ((_e1172 * _e1166) - (_e1170 * _e1168));
+                                if _e1164 {
+                                    phi_1697_ = -(_e1175);
                                 } else {
-                                    phi_1676_ = _e1172;
+                                    phi_1697_ = _e1175;
                                 }
-                                let _e1175 = phi_1676_;
-                                if (_e1133 >= 0f) {
-                                    if (_e1154 >= 0f) {
-                                        if (_e1175 >= 0f) {
-                                            phi_1691_ = ((_e1133 + _e1154) + _e1175);
-                                            phi_1692_ = false;
+                                let _e1178 = phi_1697_;
+                                if (_e1136 >= 0f) {
+                                    if (_e1157 >= 0f) {
+                                        if (_e1178 >= 0f) {
+                                            phi_1712_ = ((_e1136 + _e1157) + _e1178);
+                                            phi_1713_ = false;
                                         } else {
-                                            phi_1691_ = f32();
-                                            phi_1692_ = true;
+                                            phi_1712_ = f32();
+                                            phi_1713_ = true;
                                         }
-                                        let _e1182 = phi_1691_;
-                                        let _e1184 = phi_1692_;
-                                        phi_1693_ = _e1182;
-                                        phi_1694_ = _e1184;
+                                        let _e1185 = phi_1712_;
+                                        let _e1187 = phi_1713_;
+                                        phi_1714_ = _e1185;
+                                        phi_1715_ = _e1187;
                                     } else {
-                                        phi_1693_ = f32();
-                                        phi_1694_ = true;
+                                        phi_1714_ = f32();
+                                        phi_1715_ = true;
                                     }
-                                    let _e1186 = phi_1693_;
-                                    let _e1188 = phi_1694_;
-                                    phi_1695_ = _e1186;
-                                    phi_1696_ = _e1188;
+                                    let _e1189 = phi_1714_;
+                                    let _e1191 = phi_1715_;
+                                    phi_1716_ = _e1189;
+                                    phi_1717_ = _e1191;
                                 } else {
-                                    phi_1695_ = f32();
-                                    phi_1696_ = true;
+                                    phi_1716_ = f32();
+                                    phi_1717_ = true;
                                 }
-                                let _e1190 = phi_1695_;
-                                let _e1192 = phi_1696_;
-                                if _e1192 {
-                                    if (_e1133 <= 0f) {
-                                        if (_e1154 <= 0f) {
-                                            let _e1195 = (_e1175 <= 0f);
-                                            if _e1195 {
+                                let _e1193 = phi_1716_;
+                                let _e1195 = phi_1717_;
+                                if _e1195 {
+                                    if (_e1136 <= 0f) {
+                                        if (_e1157 <= 0f) {
+                                            let _e1198 = (_e1178 <= 0f);
+                                            if _e1198 {
                                             }
-                                            phi_1714_ = ((_e1133 + _e1154) + _e1175);
-                                            phi_1715_ = false;
-                                            phi_1716_ = _e1195;
+                                            phi_1735_ = ((_e1136 + _e1157) + _e1178);
+                                            phi_1736_ = false;
+                                            phi_1737_ = _e1198;
                                         } else {
-                                            phi_1714_ = f32();
-                                            phi_1715_ = true;
-                                            phi_1716_ = false;
+                                            phi_1735_ = f32();
+                                            phi_1736_ = true;
+                                            phi_1737_ = false;
                                         }
-                                        let _e1199 = phi_1714_;
-                                        let _e1201 = phi_1715_;
-                                        let _e1203 = phi_1716_;
-                                        phi_1717_ = _e1199;
-                                        phi_1718_ = _e1201;
-                                        phi_1719_ = _e1203;
+                                        let _e1202 = phi_1735_;
+                                        let _e1204 = phi_1736_;
+                                        let _e1206 = phi_1737_;
+                                        phi_1738_ = _e1202;
+                                        phi_1739_ = _e1204;
+                                        phi_1740_ = _e1206;
                                     } else {
-                                        phi_1717_ = f32();
-                                        phi_1718_ = true;
-                                        phi_1719_ = false;
+                                        phi_1738_ = f32();
+                                        phi_1739_ = true;
+                                        phi_1740_ = false;
                                     }
-                                    let _e1205 = phi_1717_;
-                                    let _e1207 = phi_1718_;
-                                    let _e1209 = phi_1719_;
-                                    if _e1207 {
-                                        phi_1723_ = false;
+                                    let _e1208 = phi_1738_;
+                                    let _e1210 = phi_1739_;
+                                    let _e1212 = phi_1740_;
+                                    if _e1210 {
+                                        phi_1744_ = false;
                                     } else {
-                                        phi_1723_ = _e1209;
+                                        phi_1744_ = _e1212;
                                     }
-                                    let _e1211 = phi_1723_;
-                                    phi_1724_ = _e1205;
-                                    phi_1725_ = _e1211;
+                                    let _e1214 = phi_1744_;
+                                    phi_1745_ = _e1208;
+                                    phi_1746_ = _e1214;
                                 } else {
-                                    phi_1724_ = _e1190;
-                                    phi_1725_ = true;
+                                    phi_1745_ = _e1193;
+                                    phi_1746_ = true;
                                 }
-                                let _e1213 = phi_1724_;
-                                let _e1215 = phi_1725_;
-                                if _e1215 {
-                                    let _e1216 = (_e1213 == 0f);
-                                    if _e1216 {
-                                        phi_1929_ = lt_bvh_triangle_Intersection();
+                                let _e1216 = phi_1745_;
+                                let _e1218 = phi_1746_;
+                                if _e1218 {
+                                    let _e1219 = (_e1216 == 0f);
+                                    if _e1219 {
+                                        phi_1967_ = lt_bvh_triangle_Intersection();
+                                        phi_1968_ = false;
                                     } else {
-                                        let _e1222 = ((((_e1133 * (_e414 * _e1042.z)) + (_e1154 * (_e414 * _e1072.z))) + (_e1175 * (_e414 * _e1102.z))) / _e1213);
-                                        let _e1224 = triangles.member[(0u + _e1017)].v0_;
-                                        let _e1226 = triangles.member[(0u + _e1017)].v1_;
-                                        if (_e1224.x < _e1226.x) {
-                                            phi_1751_ = _e1224.x;
+                                        let _e1225 = ((((_e1136 * (_e417 * _e1045.z)) + (_e1157 * (_e417 * _e1075.z))) + (_e1178 * (_e417 * _e1105.z))) / _e1216);
+                                        if (_e1225 > _e151.tmin) {
+                                            if (_e1225 < _e151.tmax) {
+                                                let _e1231 = triangles.member[(0u + _e1020)].v0_;
+                                                let _e1233 = triangles.member[(0u + _e1020)].v1_;
+                                                if (_e1231.x < _e1233.x) {
+                                                    phi_1782_ = _e1231.x;
+                                                } else {
+                                                    phi_1782_ = _e1233.x;
+                                                }
+                                                let _e1240 = phi_1782_;
+                                                if (_e1231.y < _e1233.y) {
+                                                    phi_1791_ = _e1231.y;
+                                                } else {
+                                                    phi_1791_ = _e1233.y;
+                                                }
+                                                let _e1247 = phi_1791_;
+                                                if (_e1231.z < _e1233.z) {
+                                                    phi_1800_ = _e1231.z;
+                                                } else {
+                                                    phi_1800_ = _e1233.z;
+                                                }
+                                                let _e1254 = phi_1800_;
+                                                let _e1256 = triangles.member[(0u + _e1020)].v2_;
+                                                if (_e1240 < _e1256.x) {
+                                                    phi_1809_ = _e1240;
+                                                } else {
+                                                    phi_1809_ = _e1256.x;
+                                                }
+                                                let _e1261 = phi_1809_;
+                                                if (_e1247 < _e1256.y) {
+                                                    phi_1816_ = _e1247;
+                                                } else {
+                                                    phi_1816_ = _e1256.y;
+                                                }
+                                                let _e1266 = phi_1816_;
+                                                if (_e1254 < _e1256.z) {
+                                                    phi_1823_ = _e1254;
+                                                } else {
+                                                    phi_1823_ = _e1256.z;
+                                                }
+                                                let _e1271 = phi_1823_;
+                                                let _e1273 = triangles.member[(0u + _e1020)].v0_;
+                                                let _e1275 = triangles.member[(0u + _e1020)].v1_;
+                                                if (_e1273.x > _e1275.x) {
+                                                    phi_1836_ = _e1273.x;
+                                                } else {
+                                                    phi_1836_ = _e1275.x;
+                                                }
+                                                let _e1282 = phi_1836_;
+                                                if (_e1273.y > _e1275.y) {
+                                                    phi_1845_ = _e1273.y;
+                                                } else {
+                                                    phi_1845_ = _e1275.y;
+                                                }
+                                                let _e1289 = phi_1845_;
+                                                if (_e1273.z > _e1275.z) {
+                                                    phi_1854_ = _e1273.z;
+                                                } else {
+                                                    phi_1854_ = _e1275.z;
+                                                }
+                                                let _e1296 = phi_1854_;
+                                                let _e1298 = triangles.member[(0u + _e1020)].v2_;
+                                                if (_e1282 > _e1298.x) {
+                                                    phi_1863_ = _e1282;
+                                                } else {
+                                                    phi_1863_ = _e1298.x;
+                                                }
+                                                let _e1303 = phi_1863_;
+                                                if (_e1289 > _e1298.y) {
+                                                    phi_1870_ = _e1289;
+                                                } else {
+                                                    phi_1870_ = _e1298.y;
+                                                }
+                                                let _e1308 = phi_1870_;
+                                                if (_e1296 > _e1298.z) {
+                                                    phi_1877_ = _e1296;
+                                                } else {
+                                                    phi_1877_ = _e1298.z;
+                                                }
+                                                let _e1313 = phi_1877_;
+                                                let _e1320 = ((_e1261 - _e151.origin.x) * _e305);
+                                                let _e1321 = ((_e1266 - _e151.origin.y) * _e317);
+                                                let _e1322 = ((_e1271 - _e151.origin.z) * _e329);
+                                                let _e1329 = ((_e1303 - _e151.origin.x) * _e305);
+                                                let _e1330 = ((_e1308 - _e151.origin.y) * _e317);
+                                                let _e1331 = ((_e1313 - _e151.origin.z) * _e329);
+                                                if (_e1320 < _e1329) {
+                                                    phi_1900_ = _e1320;
+                                                } else {
+                                                    phi_1900_ = _e1329;
+                                                }
+                                                let _e1334 = phi_1900_;
+                                                if (_e1321 < _e1330) {
+                                                    phi_1905_ = _e1321;
+                                                } else {
+                                                    phi_1905_ = _e1330;
+                                                }
+                                                let _e1337 = phi_1905_;
+                                                if (_e1322 < _e1331) {
+                                                    phi_1910_ = _e1322;
+                                                } else {
+                                                    phi_1910_ = _e1331;
+                                                }
+                                                let _e1340 = phi_1910_;
+                                                if (_e1320 > _e1329) {
+                                                    phi_1918_ = _e1320;
+                                                } else {
+                                                    phi_1918_ = _e1329;
+                                                }
+                                                let _e1346 = phi_1918_;
+                                                if (_e1321 > _e1330) {
+                                                    phi_1923_ = _e1321;
+                                                } else {
+                                                    phi_1923_ = _e1330;
+                                                }
+                                                let _e1349 = phi_1923_;
+                                                if (_e1322 > _e1331) {
+                                                    phi_1928_ = _e1322;
+                                                } else {
+                                                    phi_1928_ = _e1331;
+                                                }
+                                                let _e1352 = phi_1928_;
+                                                let _e1356 = core_intrinsics_maximum_number_nsz_f32_((_e1334 - _e373), (_e1337 - _e374));
+                                                let _e1357 = core_intrinsics_maximum_number_nsz_f32_(_e1356, (_e1340 - _e375));
+                                                let _e1358 = core_intrinsics_minimum_number_nsz_f32_((_e1346 + _e373), (_e1349 + _e374));
+                                                let _e1359 = core_intrinsics_minimum_number_nsz_f32_(_e1358, (_e1352 + _e375));
+                                                if (_e1357 > -300000000000000000000000000000000000000f) {
+                                                    phi_1940_ = _e1357;
+                                                } else {
+                                                    phi_1940_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1362 = phi_1940_;
+                                                if (_e1359 < 300000000000000000000000000000000000000f) {
+                                                    phi_1945_ = _e1359;
+                                                } else {
+                                                    phi_1945_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1365 = phi_1945_;
+                                                if (_e1225 < _e1362) {
+                                                    phi_1950_ = _e1362;
+                                                } else {
+                                                    phi_1950_ = _e1225;
+                                                }
+                                                let _e1368 = phi_1950_;
+                                                if (_e1368 > _e1365) {
+                                                    phi_1955_ = _e1365;
+                                                } else {
+                                                    phi_1955_ = _e1368;
+                                                }
+                                                let _e1371 = phi_1955_;
+                                                phi_1960_ = lt_bvh_triangle_Intersection(_e1371, (_e1157 / _e1216), (_e1178 / _e1216), (_e1362 <= _e1365));
+                                                phi_1961_ = false;
+                                            } else {
+                                                phi_1960_ = lt_bvh_triangle_Intersection();
+                                                phi_1961_ = true;
+                                            }
+                                            let _e1377 = phi_1960_;
+                                            let _e1379 = phi_1961_;
+                                            phi_1962_ = _e1377;
+                                            phi_1963_ = _e1379;
                                         } else {
-                                            phi_1751_ = _e1226.x;
+                                            phi_1962_ = lt_bvh_triangle_Intersection();
+                                            phi_1963_ = true;
                                         }
-                                        let _e1233 = phi_1751_;
-                                        if (_e1224.y < _e1226.y) {
-                                            phi_1760_ = _e1224.y;
-                                        } else {
-                                            phi_1760_ = _e1226.y;
+                                        let _e1381 = phi_1962_;
+                                        let _e1383 = phi_1963_;
+                                        if _e1383 {
                                         }
-                                        let _e1240 = phi_1760_;
-                                        if (_e1224.z < _e1226.z) {
-                                            phi_1769_ = _e1224.z;
-                                        } else {
-                                            phi_1769_ = _e1226.z;
-                                        }
-                                        let _e1247 = phi_1769_;
-                                        let _e1249 = triangles.member[(0u + _e1017)].v2_;
-                                        if (_e1233 < _e1249.x) {
-                                            phi_1778_ = _e1233;
-                                        } else {
-                                            phi_1778_ = _e1249.x;
-                                        }
-                                        let _e1254 = phi_1778_;
-                                        if (_e1240 < _e1249.y) {
-                                            phi_1785_ = _e1240;
-                                        } else {
-                                            phi_1785_ = _e1249.y;
-                                        }
-                                        let _e1259 = phi_1785_;
-                                        if (_e1247 < _e1249.z) {
-                                            phi_1792_ = _e1247;
-                                        } else {
-                                            phi_1792_ = _e1249.z;
-                                        }
-                                        let _e1264 = phi_1792_;
-                                        let _e1266 = triangles.member[(0u + _e1017)].v0_;
-                                        let _e1268 = triangles.member[(0u + _e1017)].v1_;
-                                        if (_e1266.x > _e1268.x) {
-                                            phi_1805_ = _e1266.x;
-                                        } else {
-                                            phi_1805_ = _e1268.x;
-                                        }
-                                        let _e1275 = phi_1805_;
-                                        if (_e1266.y > _e1268.y) {
-                                            phi_1814_ = _e1266.y;
-                                        } else {
-                                            phi_1814_ = _e1268.y;
-                                        }
-                                        let _e1282 = phi_1814_;
-                                        if (_e1266.z > _e1268.z) {
-                                            phi_1823_ = _e1266.z;
-                                        } else {
-                                            phi_1823_ = _e1268.z;
-                                        }
-                                        let _e1289 = phi_1823_;
-                                        let _e1291 = triangles.member[(0u + _e1017)].v2_;
-                                        if (_e1275 > _e1291.x) {
-                                            phi_1832_ = _e1275;
-                                        } else {
-                                            phi_1832_ = _e1291.x;
-                                        }
-                                        let _e1296 = phi_1832_;
-                                        if (_e1282 > _e1291.y) {
-                                            phi_1839_ = _e1282;
-                                        } else {
-                                            phi_1839_ = _e1291.y;
-                                        }
-                                        let _e1301 = phi_1839_;
-                                        if (_e1289 > _e1291.z) {
-                                            phi_1846_ = _e1289;
-                                        } else {
-                                            phi_1846_ = _e1291.z;
-                                        }
-                                        let _e1306 = phi_1846_;
-                                        let _e1313 = ((_e1254 - _e148.origin.x) * _e302);
-                                        let _e1314 = ((_e1259 - _e148.origin.y) * _e314);
-                                        let _e1315 = ((_e1264 - _e148.origin.z) * _e326);
-                                        let _e1322 = ((_e1296 - _e148.origin.x) * _e302);
-                                        let _e1323 = ((_e1301 - _e148.origin.y) * _e314);
-                                        let _e1324 = ((_e1306 - _e148.origin.z) * _e326);
-                                        if (_e1313 < _e1322) {
-                                            phi_1869_ = _e1313;
-                                        } else {
-                                            phi_1869_ = _e1322;
-                                        }
-                                        let _e1327 = phi_1869_;
-                                        if (_e1314 < _e1323) {
-                                            phi_1874_ = _e1314;
-                                        } else {
-                                            phi_1874_ = _e1323;
-                                        }
-                                        let _e1330 = phi_1874_;
-                                        if (_e1315 < _e1324) {
-                                            phi_1879_ = _e1315;
-                                        } else {
-                                            phi_1879_ = _e1324;
-                                        }
-                                        let _e1333 = phi_1879_;
-                                        if (_e1313 > _e1322) {
-                                            phi_1887_ = _e1313;
-                                        } else {
-                                            phi_1887_ = _e1322;
-                                        }
-                                        let _e1339 = phi_1887_;
-                                        if (_e1314 > _e1323) {
-                                            phi_1892_ = _e1314;
-                                        } else {
-                                            phi_1892_ = _e1323;
-                                        }
-                                        let _e1342 = phi_1892_;
-                                        if (_e1315 > _e1324) {
-                                            phi_1897_ = _e1315;
-                                        } else {
-                                            phi_1897_ = _e1324;
-                                        }
-                                        let _e1345 = phi_1897_;
-                                        let _e1349 = core_intrinsics_maximum_number_nsz_f32_((_e1327 - _e370), (_e1330 - _e371));
-                                        let _e1350 = core_intrinsics_maximum_number_nsz_f32_(_e1349, (_e1333 - _e372));
-                                        let _e1351 = core_intrinsics_minimum_number_nsz_f32_((_e1339 + _e370), (_e1342 + _e371));
-                                        let _e1352 = core_intrinsics_minimum_number_nsz_f32_(_e1351, (_e1345 + _e372));
-                                        if (_e1350 > -300000000000000000000000000000000000000f) {
-                                            phi_1909_ = _e1350;
-                                        } else {
-                                            phi_1909_ = -300000000000000000000000000000000000000f;
-                                        }
-                                        let _e1355 = phi_1909_;
-                                        if (_e1352 < 300000000000000000000000000000000000000f) {
-                                            phi_1914_ = _e1352;
-                                        } else {
-                                            phi_1914_ = 300000000000000000000000000000000000000f;
-                                        }
-                                        let _e1358 = phi_1914_;
-                                        if (_e1222 < _e1355) {
-                                            phi_1919_ = _e1355;
-                                        } else {
-                                            phi_1919_ = _e1222;
-                                        }
-                                        let _e1361 = phi_1919_;
-                                        if (_e1361 > _e1358) {
-                                            phi_1924_ = _e1358;
-                                        } else {
-                                            phi_1924_ = _e1361;
-                                        }
-                                        let _e1364 = phi_1924_;
-                                        phi_1929_ = lt_bvh_triangle_Intersection(_e1364, (_e1154 / _e1213), (_e1175 / _e1213), (_e1355 <= _e1358));
+                                        phi_1967_ = _e1381;
+                                        phi_1968_ = _e1383;
                                     }
-                                    let _e1370 = phi_1929_;
-                                    phi_1930_ = _e1370;
-                                    phi_1931_ = _e1216;
+                                    let _e1385 = phi_1967_;
+                                    let _e1387 = phi_1968_;
+                                    phi_1969_ = _e1385;
+                                    phi_1970_ = _e1219;
+                                    phi_1971_ = _e1387;
                                 } else {
-                                    phi_1930_ = lt_bvh_triangle_Intersection();
-                                    phi_1931_ = true;
+                                    phi_1969_ = lt_bvh_triangle_Intersection();
+                                    phi_1970_ = true;
+                                    phi_1971_ = false;
                                 }
-                                let _e1372 = phi_1930_;
-                                let _e1374 = phi_1931_;
-                                if _e1374 {
-                                    phi_1935_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1389 = phi_1969_;
+                                let _e1391 = phi_1970_;
+                                let _e1393 = phi_1971_;
+                                if _e1391 {
+                                    phi_1975_ = true;
                                 } else {
-                                    phi_1935_ = _e1372;
+                                    phi_1975_ = _e1393;
                                 }
-                                let _e1376 = phi_1935_;
-                                if _e1376.is_hit {
-                                    if (_e1376.t > _e148.tmin) {
-                                        if (_e1376.t < _e1006.t) {
-                                            phi_1984_ = true;
+                                let _e1395 = phi_1975_;
+                                if _e1395 {
+                                    phi_1979_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_1979_ = _e1389;
+                                }
+                                let _e1397 = phi_1979_;
+                                if _e1397.is_hit {
+                                    if (_e1397.t > _e151.tmin) {
+                                        if (_e1397.t < _e1009.t) {
+                                            phi_2028_ = true;
                                         } else {
-                                            if (_e1376.t == _e1006.t) {
-                                                if (_e1006.triangle != 4294967295u) {
-                                                    if (_e1017 < _e1006.triangle) {
-                                                        phi_1975_ = true;
+                                            if (_e1397.t == _e1009.t) {
+                                                if (_e1009.triangle != 4294967295u) {
+                                                    if (_e1020 < _e1009.triangle) {
+                                                        phi_2019_ = true;
                                                     } else {
-                                                        if (_e1017 == _e1006.triangle) {
-                                                            phi_1974_ = (4294967295u < _e1006.instance);
+                                                        if (_e1020 == _e1009.triangle) {
+                                                            phi_2018_ = (4294967295u < _e1009.instance);
                                                         } else {
-                                                            phi_1974_ = false;
+                                                            phi_2018_ = false;
                                                         }
-                                                        let _e1395 = phi_1974_;
-                                                        phi_1975_ = _e1395;
+                                                        let _e1416 = phi_2018_;
+                                                        phi_2019_ = _e1416;
                                                     }
-                                                    let _e1397 = phi_1975_;
-                                                    phi_1976_ = _e1397;
-                                                    phi_1977_ = false;
+                                                    let _e1418 = phi_2019_;
+                                                    phi_2020_ = _e1418;
+                                                    phi_2021_ = false;
                                                 } else {
-                                                    phi_1976_ = bool();
-                                                    phi_1977_ = true;
+                                                    phi_2020_ = bool();
+                                                    phi_2021_ = true;
                                                 }
-                                                let _e1399 = phi_1976_;
-                                                let _e1401 = phi_1977_;
-                                                phi_1978_ = _e1399;
-                                                phi_1979_ = _e1401;
+                                                let _e1420 = phi_2020_;
+                                                let _e1422 = phi_2021_;
+                                                phi_2022_ = _e1420;
+                                                phi_2023_ = _e1422;
                                             } else {
-                                                phi_1978_ = bool();
-                                                phi_1979_ = true;
+                                                phi_2022_ = bool();
+                                                phi_2023_ = true;
                                             }
-                                            let _e1403 = phi_1978_;
-                                            let _e1405 = phi_1979_;
-                                            if _e1405 {
-                                                phi_1983_ = false;
+                                            let _e1424 = phi_2022_;
+                                            let _e1426 = phi_2023_;
+                                            if _e1426 {
+                                                phi_2027_ = false;
                                             } else {
-                                                phi_1983_ = _e1403;
+                                                phi_2027_ = _e1424;
                                             }
-                                            let _e1407 = phi_1983_;
-                                            phi_1984_ = _e1407;
+                                            let _e1428 = phi_2027_;
+                                            phi_2028_ = _e1428;
                                         }
-                                        let _e1409 = phi_1984_;
-                                        if _e1409 {
-                                            let _e1411 = triangles.member[(0u + _e1017)].i0_;
-                                            if ((_e1411 & 2147483648u) == 0u) {
-                                                phi_2190_ = true;
+                                        let _e1430 = phi_2028_;
+                                        if _e1430 {
+                                            let _e1432 = triangles.member[(0u + _e1020)].i0_;
+                                            if ((_e1432 & 2147483648u) == 0u) {
+                                                phi_2243_ = true;
                                             } else {
-                                                if (_e1017 < _e75) {
+                                                if (_e1020 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1420 = triangles.member[(0u + _e1017)].i0_;
-                                                let _e1421 = (_e1420 & 2147483647u);
-                                                let _e1423 = triangles.member[(0u + _e1017)].i1_;
-                                                let _e1425 = triangles.member[(0u + _e1017)].i2_;
-                                                if (_e1421 < _e78) {
+                                                let _e1441 = triangles.member[(0u + _e1020)].i0_;
+                                                let _e1442 = (_e1441 & 2147483647u);
+                                                let _e1444 = triangles.member[(0u + _e1020)].i1_;
+                                                let _e1446 = triangles.member[(0u + _e1020)].i2_;
+                                                if (_e1442 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1429 = vertices.member[(0u + _e1421)];
-                                                if (_e1423 < _e78) {
+                                                let _e1450 = vertices.member[(0u + _e1442)];
+                                                if (_e1444 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1433 = vertices.member[(0u + _e1423)];
-                                                if (_e1425 < _e78) {
+                                                let _e1454 = vertices.member[(0u + _e1444)];
+                                                if (_e1446 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1437 = vertices.member[(0u + _e1425)];
-                                                let _e1438 = array<abi_Vertex, 3>(_e1429, _e1433, _e1437);
-                                                local_3 = array<abi_Vertex, 3>(abi_Vertex(_e1438[0].u, _e1438[0].v, _e1438[0].normal, _e1438[0].color, _e1438[0].material), abi_Vertex(_e1438[1].u, _e1438[1].v, _e1438[1].normal, _e1438[1].color, _e1438[1].material), abi_Vertex(_e1438[2].u, _e1438[2].v, _e1438[2].normal, _e1438[2].color, _e1438[2].material));
-                                                let _e1463 = local_3[0u].material;
-                                                if (_e1463 < _e81) {
+                                                let _e1458 = vertices.member[(0u + _e1446)];
+                                                let _e1459 = array<abi_Vertex, 3>(_e1450, _e1454, _e1458);
+                                                if (_e1459[0].material < _e84) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1467 = materials.member[(0u + _e1463)];
-                                                if ((_e1467.flags & 0u) == 0u) {
-                                                    let _e1471 = lt_shaders_surface_barycentric_weights(_e1376.u, _e1376.v);
-                                                    if (_e1467.cutoff <= 0f) {
-                                                        phi_2185_ = true;
+                                                let _e1465 = materials.member[(0u + _e1459[0].material)];
+                                                if ((_e1465.flags & 0u) == 0u) {
+                                                    let _e1470 = ((1f - _e1397.u) - _e1397.v);
+                                                    if (_e1465.cutoff <= 0f) {
+                                                        phi_2238_ = true;
                                                     } else {
-                                                        let _e1476 = lt_shaders_surface_vertex_color((&local_3), _e1471);
-                                                        let _e1478 = (_e1467.base_color.w * _e1476.w);
-                                                        if (_e1467.alpha_size == 0u) {
-                                                            phi_2182_ = _e1478;
+                                                        let _e1501 = (_e1465.base_color.w * ((((f32((_e1459[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1470) + ((f32((_e1459[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1397.u)) + ((f32((_e1459[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1397.v)));
+                                                        if (_e1465.alpha_size == 0u) {
+                                                            phi_2235_ = _e1501;
                                                         } else {
-                                                            local_2.offset = _e1467.alpha_offset;
-                                                            local_2.size = _e1467.alpha_size;
-                                                            local_2.flags = _e1467.flags;
-                                                            let _e1487 = lt_shaders_surface_texture_coordinate((&local_3), _e1471);
-                                                            let _e1490 = _lt_shaders_texture_TextureView_quad((&local_2), _e1487.x, _e1487.y);
-                                                            let _e1494 = (_e1490.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1494 < _e87) {
+                                                            local.offset = _e1465.alpha_offset;
+                                                            local.size = _e1465.alpha_size;
+                                                            local.flags = _e1465.flags;
+                                                            let _e1532 = _lt_shaders_texture_TextureView_quad((&local), (((_e1459[0].u * _e1470) + (_e1459[1].u * _e1397.u)) + (_e1459[2].u * _e1397.v)), (((_e1459[0].v * _e1470) + (_e1459[1].v * _e1397.u)) + (_e1459[2].v * _e1397.v)));
+                                                            let _e1536 = (_e1532.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1536 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1498 = alpha_texels.member[(0u + _e1494)];
-                                                            let _e1514 = (_e1490.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1514 < _e87) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1518 = alpha_texels.member[(0u + _e1514)];
-                                                            let _e1535 = (_e1490.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1535 < _e87) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1539 = alpha_texels.member[(0u + _e1535)];
-                                                            let _e1556 = (_e1490.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1556 < _e87) {
+                                                            let _e1540 = alpha_texels.member[(0u + _e1536)];
+                                                            let _e1556 = (_e1532.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1556 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
                                                             let _e1560 = alpha_texels.member[(0u + _e1556)];
-                                                            phi_2182_ = (_e1478 * (((((f32(((_e1498 >> bitcast<u32>((((_e1490.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1490.weights.x) + ((f32(((_e1518 >> bitcast<u32>((((_e1490.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1490.weights.y)) + ((f32(((_e1539 >> bitcast<u32>((((_e1490.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1490.weights.z)) + ((f32(((_e1560 >> bitcast<u32>((((_e1490.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1490.weights.w)));
+                                                            let _e1577 = (_e1532.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1577 < _e90) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1581 = alpha_texels.member[(0u + _e1577)];
+                                                            let _e1598 = (_e1532.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1598 < _e90) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1602 = alpha_texels.member[(0u + _e1598)];
+                                                            phi_2235_ = (_e1501 * (((((f32(((_e1540 >> bitcast<u32>((((_e1532.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1532.weights.x) + ((f32(((_e1560 >> bitcast<u32>((((_e1532.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1532.weights.y)) + ((f32(((_e1581 >> bitcast<u32>((((_e1532.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1532.weights.z)) + ((f32(((_e1602 >> bitcast<u32>((((_e1532.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1532.weights.w)));
                                                         }
-                                                        let _e1576 = phi_2182_;
-                                                        phi_2185_ = (_e1576 >= _e1467.cutoff);
+                                                        let _e1618 = phi_2235_;
+                                                        phi_2238_ = (_e1618 >= _e1465.cutoff);
                                                     }
-                                                    let _e1580 = phi_2185_;
-                                                    phi_2186_ = _e1580;
+                                                    let _e1622 = phi_2238_;
+                                                    phi_2239_ = _e1622;
                                                 } else {
-                                                    phi_2186_ = false;
+                                                    phi_2239_ = false;
                                                 }
-                                                let _e1582 = phi_2186_;
-                                                if _e1582 {
+                                                let _e1624 = phi_2239_;
+                                                if _e1624 {
                                                 }
-                                                phi_2190_ = _e1582;
+                                                phi_2243_ = _e1624;
                                             }
-                                            let _e1584 = phi_2190_;
-                                            if _e1584 {
-                                                phi_2198_ = lt_bvh_Hit(_e1376.t, _e1376.u, _e1376.v, _e1017, 4294967295u);
+                                            let _e1626 = phi_2243_;
+                                            if _e1626 {
+                                                phi_2251_ = lt_bvh_Hit(_e1397.t, _e1397.u, _e1397.v, _e1020, 4294967295u);
                                             } else {
-                                                phi_2198_ = _e1006;
+                                                phi_2251_ = _e1009;
                                             }
-                                            let _e1590 = phi_2198_;
-                                            phi_2199_ = _e1590;
+                                            let _e1632 = phi_2251_;
+                                            phi_2252_ = _e1632;
                                         } else {
-                                            phi_2199_ = _e1006;
+                                            phi_2252_ = _e1009;
                                         }
-                                        let _e1592 = phi_2199_;
-                                        phi_2200_ = _e1592;
+                                        let _e1634 = phi_2252_;
+                                        phi_2253_ = _e1634;
                                     } else {
-                                        phi_2200_ = _e1006;
+                                        phi_2253_ = _e1009;
                                     }
-                                    let _e1594 = phi_2200_;
-                                    phi_2201_ = _e1594;
+                                    let _e1636 = phi_2253_;
+                                    phi_2254_ = _e1636;
                                 } else {
-                                    phi_2201_ = _e1006;
+                                    phi_2254_ = _e1009;
                                 }
-                                let _e1596 = phi_2201_;
-                                phi_1471_ = _e1596;
-                                phi_1474_ = (_e1008 & (_e1008 - 1u));
-                                phi_2202_ = true;
+                                let _e1638 = phi_2254_;
+                                phi_1492_ = _e1638;
+                                phi_1495_ = (_e1011 & (_e1011 - 1u));
+                                phi_2255_ = true;
                             }
-                            let _e1598 = phi_1471_;
-                            let _e1600 = phi_1474_;
-                            let _e1602 = phi_2202_;
+                            let _e1640 = phi_1492_;
+                            let _e1642 = phi_1495_;
+                            let _e1644 = phi_2255_;
                             continue;
                             continuing {
-                                phi_1470_ = _e1598;
-                                phi_1473_ = _e1600;
-                                break if !(_e1602);
+                                phi_1491_ = _e1640;
+                                phi_1494_ = _e1642;
+                                break if !(_e1644);
                             }
                         }
-                        let _e1605 = local_4.group_mask;
-                        if ((_e1605 & 4278190080u) == 0u) {
-                            let _e1609 = local_4.len;
-                            if (_e1609 == 0u) {
-                                phi_2241_ = false;
+                        let _e1647 = local_1.group_mask;
+                        if ((_e1647 & 4278190080u) == 0u) {
+                            let _e1651 = local_1.len;
+                            if (_e1651 == 0u) {
+                                phi_2294_ = false;
                             } else {
-                                let _e1613 = local_4.len;
-                                local_4.len = (_e1613 - 1u);
-                                let _e1616 = local_4.len;
-                                if (_e1616 < 32u) {
+                                let _e1655 = local_1.len;
+                                local_1.len = (_e1655 - 1u);
+                                let _e1658 = local_1.len;
+                                if (_e1658 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1621 = local_4.first[(0u + _e1616)];
-                                local_4.group = _e1621;
-                                let _e1624 = local_4.len;
-                                if (_e1624 < 32u) {
+                                let _e1663 = local_1.first[(0u + _e1658)];
+                                local_1.group = _e1663;
+                                let _e1666 = local_1.len;
+                                if (_e1666 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1629 = local_4.mask[(0u + _e1624)];
-                                local_4.group_mask = _e1629;
-                                phi_2241_ = true;
+                                let _e1671 = local_1.mask[(0u + _e1666)];
+                                local_1.group_mask = _e1671;
+                                phi_2294_ = true;
                             }
-                            let _e1632 = phi_2241_;
-                            phi_2242_ = _e1632;
+                            let _e1674 = phi_2294_;
+                            phi_2295_ = _e1674;
                         } else {
-                            phi_2242_ = true;
+                            phi_2295_ = true;
                         }
-                        let _e1634 = phi_2242_;
-                        if _e1634 {
-                            let _e1636 = local_4.group_mask;
-                            let _e1642 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1636)), 32u, (_e1636 == 0u)));
-                            let _e1646 = local_4.group_mask;
-                            let _e1660 = local_4.group_mask;
-                            local_4.group_mask = (_e1660 & ~((1u << bitcast<u32>((_e1642 & 31u)))));
-                            let _e1663 = local_4.group;
-                            phi_2273_ = (_e1663 + countOneBits(((_e1646 & ~((4294967295u << bitcast<u32>((((_e1642 - 24u) ^ _e425) & 31u))))) & 255u)));
+                        let _e1676 = phi_2295_;
+                        if _e1676 {
+                            let _e1678 = local_1.group_mask;
+                            let _e1684 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1678)), 32u, (_e1678 == 0u)));
+                            let _e1688 = local_1.group_mask;
+                            let _e1702 = local_1.group_mask;
+                            local_1.group_mask = (_e1702 & ~((1u << bitcast<u32>((_e1684 & 31u)))));
+                            let _e1705 = local_1.group;
+                            phi_2326_ = (_e1705 + countOneBits(((_e1688 & ~((4294967295u << bitcast<u32>((((_e1684 - 24u) ^ _e428) & 31u))))) & 255u)));
                         } else {
-                            phi_2273_ = 4294967295u;
+                            phi_2326_ = 4294967295u;
                         }
-                        let _e1666 = phi_2273_;
-                        let _e2121 = local_8;
-                        phi_1134_ = _e2121;
-                        phi_1137_ = _e1666;
+                        let _e1708 = phi_2326_;
+                        let _e2405 = local_5;
+                        phi_1155_ = _e2405;
+                        phi_1158_ = _e1708;
                     } else {
-                        phi_1134_ = lt_bvh_Hit();
-                        phi_1137_ = u32();
+                        phi_1155_ = lt_bvh_Hit();
+                        phi_1158_ = u32();
                     }
-                    let _e1668 = phi_1134_;
-                    let _e1670 = phi_1137_;
+                    let _e1710 = phi_1155_;
+                    let _e1712 = phi_1158_;
                     continue;
                     continuing {
-                        phi_1133_ = _e1668;
-                        phi_1136_ = _e1670;
-                        break if !(_e566);
+                        phi_1154_ = _e1710;
+                        phi_1157_ = _e1712;
+                        break if !(_e569);
                     }
                 }
-                let _e2125 = local_9;
-                phi_2274_ = _e2125;
+                let _e2409 = local_6;
+                phi_2327_ = _e2409;
             }
-            let _e1673 = phi_2274_;
-            phi_2275_ = _e1673;
-            phi_2276_ = _e220;
+            let _e1715 = phi_2327_;
+            phi_2328_ = _e1715;
+            phi_2329_ = _e223;
         } else {
-            phi_2275_ = lt_bvh_Hit();
-            phi_2276_ = true;
+            phi_2328_ = lt_bvh_Hit();
+            phi_2329_ = true;
         }
-        let _e1675 = phi_2275_;
-        let _e1677 = phi_2276_;
-        if _e1677 {
-            phi_2280_ = _e150;
+        let _e1717 = phi_2328_;
+        let _e1719 = phi_2329_;
+        if _e1719 {
+            phi_2333_ = _e153;
         } else {
-            phi_2280_ = _e1675;
+            phi_2333_ = _e1717;
         }
-        let _e1679 = phi_2280_;
-        if (_e1679.triangle != 4294967295u) {
-            let _e1684 = lt_shaders_surface_barycentric_weights(_e1679.u, _e1679.v);
-            if (_e1679.triangle < _e75) {
+        let _e1721 = phi_2333_;
+        if (_e1721.triangle != 4294967295u) {
+            let _e1727 = ((1f - _e1721.u) - _e1721.v);
+            if (_e1721.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1689 = triangles.member[(0u + _e1679.triangle)];
-            let _e1717 = (((_e1689.v0_.x * _e1684.x) + (_e1689.v1_.x * _e1684.y)) + (_e1689.v2_.x * _e1684.z));
-            let _e1718 = (((_e1689.v0_.y * _e1684.x) + (_e1689.v1_.y * _e1684.y)) + (_e1689.v2_.y * _e1684.z));
-            let _e1719 = (((_e1689.v0_.z * _e1684.x) + (_e1689.v1_.z * _e1684.y)) + (_e1689.v2_.z * _e1684.z));
-            let _e1722 = abs(_e1689.v0_.x);
-            let _e1724 = abs(_e1689.v0_.y);
-            let _e1726 = abs(_e1689.v0_.z);
-            let _e1728 = abs(_e1689.v1_.x);
-            let _e1730 = abs(_e1689.v1_.y);
-            let _e1732 = abs(_e1689.v1_.z);
-            if (_e1722 > _e1728) {
-                phi_2346_ = _e1722;
+            let _e1733 = triangles.member[(0u + _e1721.triangle)];
+            let _e1758 = (((_e1733.v0_.x * _e1727) + (_e1733.v1_.x * _e1721.u)) + (_e1733.v2_.x * _e1721.v));
+            let _e1759 = (((_e1733.v0_.y * _e1727) + (_e1733.v1_.y * _e1721.u)) + (_e1733.v2_.y * _e1721.v));
+            let _e1760 = (((_e1733.v0_.z * _e1727) + (_e1733.v1_.z * _e1721.u)) + (_e1733.v2_.z * _e1721.v));
+            let _e1763 = abs(_e1733.v0_.x);
+            let _e1765 = abs(_e1733.v0_.y);
+            let _e1767 = abs(_e1733.v0_.z);
+            let _e1769 = abs(_e1733.v1_.x);
+            let _e1771 = abs(_e1733.v1_.y);
+            let _e1773 = abs(_e1733.v1_.z);
+            if (_e1763 > _e1769) {
+                phi_2398_ = _e1763;
             } else {
-                phi_2346_ = _e1728;
+                phi_2398_ = _e1769;
             }
-            let _e1735 = phi_2346_;
-            if (_e1724 > _e1730) {
-                phi_2351_ = _e1724;
+            let _e1776 = phi_2398_;
+            if (_e1765 > _e1771) {
+                phi_2403_ = _e1765;
             } else {
-                phi_2351_ = _e1730;
+                phi_2403_ = _e1771;
             }
-            let _e1738 = phi_2351_;
-            if (_e1726 > _e1732) {
-                phi_2356_ = _e1726;
+            let _e1779 = phi_2403_;
+            if (_e1767 > _e1773) {
+                phi_2408_ = _e1767;
             } else {
-                phi_2356_ = _e1732;
+                phi_2408_ = _e1773;
             }
-            let _e1741 = phi_2356_;
-            let _e1743 = abs(_e1689.v2_.x);
-            let _e1745 = abs(_e1689.v2_.y);
-            let _e1747 = abs(_e1689.v2_.z);
-            if (_e1735 > _e1743) {
-                phi_2367_ = _e1735;
+            let _e1782 = phi_2408_;
+            let _e1784 = abs(_e1733.v2_.x);
+            let _e1786 = abs(_e1733.v2_.y);
+            let _e1788 = abs(_e1733.v2_.z);
+            if (_e1776 > _e1784) {
+                phi_2419_ = _e1776;
             } else {
-                phi_2367_ = _e1743;
+                phi_2419_ = _e1784;
             }
-            let _e1750 = phi_2367_;
-            if (_e1738 > _e1745) {
-                phi_2372_ = _e1738;
+            let _e1791 = phi_2419_;
+            if (_e1779 > _e1786) {
+                phi_2424_ = _e1779;
             } else {
-                phi_2372_ = _e1745;
+                phi_2424_ = _e1786;
             }
-            let _e1753 = phi_2372_;
-            if (_e1741 > _e1747) {
-                phi_2377_ = _e1741;
+            let _e1794 = phi_2424_;
+            if (_e1782 > _e1788) {
+                phi_2429_ = _e1782;
             } else {
-                phi_2377_ = _e1747;
+                phi_2429_ = _e1788;
             }
-            let _e1756 = phi_2377_;
-            let _e1759 = (_e1689.v1_.x - _e1689.v0_.x);
-            let _e1762 = (_e1689.v1_.y - _e1689.v0_.y);
-            let _e1765 = (_e1689.v1_.z - _e1689.v0_.z);
-            let _e1768 = (_e1689.v2_.x - _e1689.v0_.x);
-            let _e1771 = (_e1689.v2_.y - _e1689.v0_.y);
-            let _e1774 = (_e1689.v2_.z - _e1689.v0_.z);
-            let _e1778 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1762), abs(_e1765));
-            let _e1779 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1759), _e1778);
-            let _e1780 = (_e1759 / _e1779);
-            let _e1781 = (_e1762 / _e1779);
-            let _e1782 = (_e1765 / _e1779);
-            let _e1786 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1771), abs(_e1774));
-            let _e1787 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1768), _e1786);
-            let _e1788 = (_e1768 / _e1787);
-            let _e1789 = (_e1771 / _e1787);
-            let _e1790 = (_e1774 / _e1787);
-            let _e1793 = ((_e1781 * _e1790) - (_e1789 * _e1782));
-            let _e1796 = ((_e1782 * _e1788) - (_e1790 * _e1780));
-            let _e1799 = ((_e1780 * _e1789) - (_e1788 * _e1781));
-            let _e1801 = p.member.eye;
-            let _e1810 = (1f / sqrt((((_e1793 * _e1793) + (_e1796 * _e1796)) + (_e1799 * _e1799))));
-            let _e1815 = lt_shaders_camera_facing(vec3<f32>((_e1793 * _e1810), (_e1796 * _e1810), (_e1799 * _e1810)), (_e1801 - vec3<f32>(_e1717, _e1718, _e1719)));
-            if (_e1679.triangle < _e75) {
+            let _e1797 = phi_2429_;
+            let _e1800 = (_e1733.v1_.x - _e1733.v0_.x);
+            let _e1803 = (_e1733.v1_.y - _e1733.v0_.y);
+            let _e1806 = (_e1733.v1_.z - _e1733.v0_.z);
+            let _e1809 = (_e1733.v2_.x - _e1733.v0_.x);
+            let _e1812 = (_e1733.v2_.y - _e1733.v0_.y);
+            let _e1815 = (_e1733.v2_.z - _e1733.v0_.z);
+            let _e1819 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1803), abs(_e1806));
+            let _e1820 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1800), _e1819);
+            let _e1821 = (_e1800 / _e1820);
+            let _e1822 = (_e1803 / _e1820);
+            let _e1823 = (_e1806 / _e1820);
+            let _e1827 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1812), abs(_e1815));
+            let _e1828 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1809), _e1827);
+            let _e1829 = (_e1809 / _e1828);
+            let _e1830 = (_e1812 / _e1828);
+            let _e1831 = (_e1815 / _e1828);
+            let _e1834 = ((_e1822 * _e1831) - (_e1830 * _e1823));
+            let _e1837 = ((_e1823 * _e1829) - (_e1831 * _e1821));
+            let _e1840 = ((_e1821 * _e1830) - (_e1829 * _e1822));
+            let _e1842 = p.member.eye;
+            let _e1855 = (1f / sqrt((((_e1834 * _e1834) + (_e1837 * _e1837)) + (_e1840 * _e1840))));
+            let _e1856 = (_e1834 * _e1855);
+            let _e1857 = (_e1837 * _e1855);
+            let _e1858 = (_e1840 * _e1855);
+            if ((((_e1856 * (_e1842.x - _e1758)) + (_e1857 * (_e1842.y - _e1759))) + (_e1858 * (_e1842.z - _e1760))) < 0f) {
+                phi_2505_ = vec3<f32>(-(_e1856), -(_e1857), -(_e1858));
+            } else {
+                phi_2505_ = vec3<f32>(_e1856, _e1857, _e1858);
+            }
+            let _e1871 = phi_2505_;
+            if (_e1721.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1820 = triangles.member[(0u + _e1679.triangle)];
-            let _e1822 = (_e1820.i0_ & 2147483647u);
-            if (_e1822 < _e78) {
+            let _e1876 = triangles.member[(0u + _e1721.triangle)];
+            let _e1878 = (_e1876.i0_ & 2147483647u);
+            if (_e1878 < _e81) {
             } else {
                 return;
             }
-            let _e1828 = vertices.member[(0u + _e1822)];
-            if (_e1820.i1_ < _e78) {
+            let _e1884 = vertices.member[(0u + _e1878)];
+            if (_e1876.i1_ < _e81) {
             } else {
                 return;
             }
-            let _e1832 = vertices.member[(0u + _e1820.i1_)];
-            if (_e1820.i2_ < _e78) {
+            let _e1888 = vertices.member[(0u + _e1876.i1_)];
+            if (_e1876.i2_ < _e81) {
             } else {
                 return;
             }
-            let _e1836 = vertices.member[(0u + _e1820.i2_)];
-            let _e1837 = array<abi_Vertex, 3>(_e1828, _e1832, _e1836);
-            local = array<abi_Vertex, 3>(abi_Vertex(_e1837[0].u, _e1837[0].v, _e1837[0].normal, _e1837[0].color, _e1837[0].material), abi_Vertex(_e1837[1].u, _e1837[1].v, _e1837[1].normal, _e1837[1].color, _e1837[1].material), abi_Vertex(_e1837[2].u, _e1837[2].v, _e1837[2].normal, _e1837[2].color, _e1837[2].material));
-            let _e1862 = local[0u].material;
-            if (_e1862 < _e81) {
+            let _e1892 = vertices.member[(0u + _e1876.i2_)];
+            let _e1893 = array<abi_Vertex, 3>(_e1884, _e1888, _e1892);
+            if (_e1893[0].material < _e84) {
             } else {
                 return;
             }
-            let _e1866 = materials.member[(0u + _e1862)];
-            local_1 = abi_Material(_e1866.base_color, _e1866.cutoff, _e1866.flags, _e1866.alpha_offset, _e1866.alpha_size, _e1866.color_offset, _e1866.color_size, _e1866.pad);
-            let _e1876 = lt_shaders_surface_plain_color((&local_1), (&local), _e1684);
-            let _e1877 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(_e1684);
-            let _e1879 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1753, _e1756);
-            let _e1880 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1750, _e1879);
-            let _e1882 = local_1.flags;
-            if ((_e1882 & 2u) == 0u) {
-                phi_2525_ = 0u;
+            let _e1899 = materials.member[(0u + _e1893[0].material)];
+            let _e1916 = (1f / 255f);
+            let _e1935 = (1f / 255f);
+            let _e1957 = (1f / 255f);
+            let _e1970 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1727, _e1721.u, _e1721.v));
+            let _e1972 = ((_e1899.base_color.x * ((((f32((_e1893[0].color & 255u)) * _e1916) * _e1727) + ((f32((_e1893[1].color & 255u)) * _e1935) * _e1721.u)) + ((f32((_e1893[2].color & 255u)) * _e1957) * _e1721.v))) * _e1970.x);
+            let _e1974 = ((_e1899.base_color.y * ((((f32(((_e1893[0].color >> bitcast<u32>(8i)) & 255u)) * _e1916) * _e1727) + ((f32(((_e1893[1].color >> bitcast<u32>(8i)) & 255u)) * _e1935) * _e1721.u)) + ((f32(((_e1893[2].color >> bitcast<u32>(8i)) & 255u)) * _e1957) * _e1721.v))) * _e1970.y);
+            let _e1976 = ((_e1899.base_color.z * ((((f32(((_e1893[0].color >> bitcast<u32>(16i)) & 255u)) * _e1916) * _e1727) + ((f32(((_e1893[1].color >> bitcast<u32>(16i)) & 255u)) * _e1935) * _e1721.u)) + ((f32(((_e1893[2].color >> bitcast<u32>(16i)) & 255u)) * _e1957) * _e1721.v))) * _e1970.z);
+            let _e1977 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1794, _e1797);
+            let _e1978 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1791, _e1977);
+            if ((_e1899.flags & 2u) == 0u) {
+                phi_2626_ = 0u;
             } else {
-                phi_2525_ = 1u;
+                phi_2626_ = 1u;
             }
-            let _e1886 = phi_2525_;
-            let _e1889 = local[0u].normal;
-            if (_e1889 == 2147516416u) {
-                phi_2592_ = _e1815;
+            let _e1983 = phi_2626_;
+            if (_e1893[0].normal == 2147516416u) {
+                phi_2829_ = _e1871;
             } else {
-                let _e1893 = local[0u].normal;
-                let _e1894 = lt_shaders_surface_octahedral_decode(_e1893);
-                let _e1904 = local[1u].normal;
-                let _e1905 = lt_shaders_surface_octahedral_decode(_e1904);
-                let _e1918 = local[2u].normal;
-                let _e1919 = lt_shaders_surface_octahedral_decode(_e1918);
-                let _e1931 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>((((_e1894.x * _e1684.x) + (_e1905.x * _e1684.y)) + (_e1919.x * _e1684.z)), (((_e1894.y * _e1684.x) + (_e1905.y * _e1684.y)) + (_e1919.y * _e1684.z)), (((_e1894.z * _e1684.x) + (_e1905.z * _e1684.y)) + (_e1919.z * _e1684.z))));
-                let _e1943 = sqrt((((_e1931.x * _e1931.x) + (_e1931.y * _e1931.y)) + (_e1931.z * _e1931.z)));
-                if (_e1943 > 0f) {
-                    let _e1947 = lt_shaders_camera_facing((_e1931 / vec3(_e1943)), _e1815);
-                    phi_2591_ = _e1947;
+                let _e1996 = (f32((bitcast<i32>((_e1893[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2002 = (f32((bitcast<i32>(_e1893[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2006 = ((1f - abs(_e1996)) - abs(_e2002));
+                if (_e2006 < 0f) {
+                    phi_2653_ = -(_e2006);
                 } else {
-                    phi_2591_ = _e1815;
+                    phi_2653_ = 0f;
                 }
-                let _e1949 = phi_2591_;
-                phi_2592_ = _e1949;
+                let _e2010 = phi_2653_;
+                if (_e1996 < 0f) {
+                    phi_2660_ = (_e1996 + _e2010);
+                } else {
+                    phi_2660_ = (_e1996 - _e2010);
+                }
+                let _e2015 = phi_2660_;
+                if (_e2002 < 0f) {
+                    phi_2667_ = (_e2002 + _e2010);
+                } else {
+                    phi_2667_ = (_e2002 - _e2010);
+                }
+                let _e2020 = phi_2667_;
+                let _e2027 = (1f / sqrt((((_e2015 * _e2015) + (_e2020 * _e2020)) + (_e2006 * _e2006))));
+                let _e2043 = (f32((bitcast<i32>((_e1893[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2049 = (f32((bitcast<i32>(_e1893[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2053 = ((1f - abs(_e2043)) - abs(_e2049));
+                if (_e2053 < 0f) {
+                    phi_2702_ = -(_e2053);
+                } else {
+                    phi_2702_ = 0f;
+                }
+                let _e2057 = phi_2702_;
+                if (_e2043 < 0f) {
+                    phi_2709_ = (_e2043 + _e2057);
+                } else {
+                    phi_2709_ = (_e2043 - _e2057);
+                }
+                let _e2062 = phi_2709_;
+                if (_e2049 < 0f) {
+                    phi_2716_ = (_e2049 + _e2057);
+                } else {
+                    phi_2716_ = (_e2049 - _e2057);
+                }
+                let _e2067 = phi_2716_;
+                let _e2074 = (1f / sqrt((((_e2062 * _e2062) + (_e2067 * _e2067)) + (_e2053 * _e2053))));
+                let _e2093 = (f32((bitcast<i32>((_e1893[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2099 = (f32((bitcast<i32>(_e1893[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2103 = ((1f - abs(_e2093)) - abs(_e2099));
+                if (_e2103 < 0f) {
+                    phi_2754_ = -(_e2103);
+                } else {
+                    phi_2754_ = 0f;
+                }
+                let _e2107 = phi_2754_;
+                if (_e2093 < 0f) {
+                    phi_2761_ = (_e2093 + _e2107);
+                } else {
+                    phi_2761_ = (_e2093 - _e2107);
+                }
+                let _e2112 = phi_2761_;
+                if (_e2099 < 0f) {
+                    phi_2768_ = (_e2099 + _e2107);
+                } else {
+                    phi_2768_ = (_e2099 - _e2107);
+                }
+                let _e2117 = phi_2768_;
+                let _e2124 = (1f / sqrt((((_e2112 * _e2112) + (_e2117 * _e2117)) + (_e2103 * _e2103))));
+                let _e2135 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2015 * _e2027) * _e1727) + ((_e2062 * _e2074) * _e1721.u)) + ((_e2112 * _e2124) * _e1721.v)), ((((_e2020 * _e2027) * _e1727) + ((_e2067 * _e2074) * _e1721.u)) + ((_e2117 * _e2124) * _e1721.v)), ((((_e2006 * _e2027) * _e1727) + ((_e2053 * _e2074) * _e1721.u)) + ((_e2103 * _e2124) * _e1721.v))));
+                let _e2147 = sqrt((((_e2135.x * _e2135.x) + (_e2135.y * _e2135.y)) + (_e2135.z * _e2135.z)));
+                if (_e2147 > 0f) {
+                    let _e2150 = (_e2135.x / _e2147);
+                    let _e2152 = (_e2135.y / _e2147);
+                    let _e2154 = (_e2135.z / _e2147);
+                    if ((((_e2150 * _e1871.x) + (_e2152 * _e1871.y)) + (_e2154 * _e1871.z)) < 0f) {
+                        phi_2827_ = vec3<f32>(-(_e2150), -(_e2152), -(_e2154));
+                    } else {
+                        phi_2827_ = (_e2135 / vec3(_e2147));
+                    }
+                    let _e2171 = phi_2827_;
+                    phi_2828_ = _e2171;
+                } else {
+                    phi_2828_ = _e1871;
+                }
+                let _e2173 = phi_2828_;
+                phi_2829_ = _e2173;
             }
-            let _e1951 = phi_2592_;
-            let _e1952 = lt_shaders_shade_pack_albedo((_e1876 * _e1877));
-            phi_2596_ = abi_Sample(vec3<f32>(_e1717, _e1718, _e1719), _e1880, _e1815, _e1886, _e1951, _e1952);
+            let _e2175 = phi_2829_;
+            if (_e1972 > 0f) {
+                if (_e1972 < 1f) {
+                    phi_2838_ = _e1972;
+                } else {
+                    phi_2838_ = 1f;
+                }
+                let _e2179 = phi_2838_;
+                phi_2839_ = _e2179;
+            } else {
+                phi_2839_ = 0f;
+            }
+            let _e2181 = phi_2839_;
+            if (_e1974 > 0f) {
+                if (_e1974 < 1f) {
+                    phi_2849_ = _e1974;
+                } else {
+                    phi_2849_ = 1f;
+                }
+                let _e2186 = phi_2849_;
+                phi_2850_ = _e2186;
+            } else {
+                phi_2850_ = 0f;
+            }
+            let _e2188 = phi_2850_;
+            if (_e1976 > 0f) {
+                if (_e1976 < 1f) {
+                    phi_2860_ = _e1976;
+                } else {
+                    phi_2860_ = 1f;
+                }
+                let _e2193 = phi_2860_;
+                phi_2861_ = _e2193;
+            } else {
+                phi_2861_ = 0f;
+            }
+            let _e2195 = phi_2861_;
+            let _e2198 = ((sqrt(_e2181) * 255f) + 0.5f);
+            let _e2207 = ((sqrt(_e2188) * 255f) + 0.5f);
+            let _e2219 = ((sqrt(_e2195) * 255f) + 0.5f);
+            phi_2896_ = abi_Sample(vec3<f32>(_e1758, _e1759, _e1760), _e1978, _e1871, _e1983, _e2175, ((select(select(u32(_e2198), 0u, (_e2198 < bitcast<f32>(0u))), 4294967295u, (_e2198 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2207), 0u, (_e2207 < bitcast<f32>(0u))), 4294967295u, (_e2207 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2219), 0u, (_e2219 < bitcast<f32>(0u))), 4294967295u, (_e2219 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2596_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2896_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e1956 = phi_2596_;
-        if (_e93.first_primitive < arrayLength((&samples.member))) {
+        let _e2233 = phi_2896_;
+        if (_e96.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e93.first_primitive)] = _e1956;
+        samples.member[(0u + _e96.first_primitive)] = _e2233;
     }
     return;
 }

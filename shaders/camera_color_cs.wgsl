@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -21,11 +13,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -40,11 +40,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -81,7 +81,7 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_41 {
+struct type_37 {
     member: array<abi_Sample>,
 }
 
@@ -98,7 +98,7 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct type_50 {
+struct type_45 {
     member: abi_CameraParams,
 }
 
@@ -110,7 +110,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_55 {
+struct type_50 {
     member: array<lt_bvh_Node>,
 }
 
@@ -142,1820 +142,2096 @@ struct lt_bvh_triangle_Intersection {
 }
 
 @group(0) @binding(3) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(4) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_50;
+var<uniform> p: type_45;
 @group(0) @binding(1) 
-var<storage> nodes: type_55;
+var<storage> nodes: type_50;
 @group(0) @binding(2) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_41;
+var<storage, read_write> samples: type_37;
 @group(0) @binding(6) 
-var<storage> color_texels: type_22;
+var<storage> color_texels: type_20;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e77 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e77), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e77), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e77), (f32((param >> bitcast<u32>(24i))) * _e77));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_227_: f32;
+    var phi_232_: f32;
+    var phi_233_: bool;
+    var phi_234_: f32;
+    var phi_235_: bool;
+    var phi_239_: f32;
+    var phi_265_: f32;
+    var phi_270_: f32;
+    var phi_271_: bool;
+    var phi_272_: f32;
+    var phi_273_: bool;
+    var phi_277_: f32;
+    var phi_285_: f32;
+    var phi_286_: f32;
+    var phi_287_: f32;
+    var phi_296_: f32;
+    var phi_297_: f32;
+    var phi_315_: u32;
+    var phi_329_: u32;
+    var phi_336_: u32;
+    var phi_341_: u32;
+    var phi_347_: u32;
+    var phi_352_: u32;
+    var phi_354_: texture_Axis;
+    var phi_382_: f32;
+    var phi_387_: f32;
+    var phi_388_: bool;
+    var phi_389_: f32;
+    var phi_390_: bool;
+    var phi_394_: f32;
+    var phi_420_: f32;
+    var phi_425_: f32;
+    var phi_426_: bool;
+    var phi_427_: f32;
+    var phi_428_: bool;
+    var phi_432_: f32;
+    var phi_440_: f32;
+    var phi_441_: f32;
+    var phi_442_: f32;
+    var phi_451_: f32;
+    var phi_452_: f32;
+    var phi_470_: u32;
+    var phi_484_: u32;
+    var phi_491_: u32;
+    var phi_496_: u32;
+    var phi_502_: u32;
+    var phi_507_: u32;
+    var phi_509_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e67 = (*param_1)[0u].color;
-    let _e68 = lt_shaders_texture_unorm_bytes(_e67);
-    let _e80 = (*param_1)[1u].color;
-    let _e81 = lt_shaders_texture_unorm_bytes(_e80);
-    let _e97 = (*param_1)[2u].color;
-    let _e98 = lt_shaders_texture_unorm_bytes(_e97);
-    return vec4<f32>((((_e68.x * param_2.x) + (_e81.x * param_2.y)) + (_e98.x * param_2.z)), (((_e68.y * param_2.x) + (_e81.y * param_2.y)) + (_e98.y * param_2.z)), (((_e68.z * param_2.x) + (_e81.z * param_2.y)) + (_e98.z * param_2.z)), (((_e68.w * param_2.x) + (_e81.w * param_2.y)) + (_e98.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e67 = (*param_3)[0u].u;
-    let _e70 = (*param_3)[0u].v;
-    let _e76 = (*param_3)[1u].u;
-    let _e79 = (*param_3)[1u].v;
-    let _e87 = (*param_3)[2u].u;
-    let _e90 = (*param_3)[2u].v;
-    return vec2<f32>((((_e67 * param_4.x) + (_e76 * param_4.y)) + (_e87 * param_4.z)), (((_e70 * param_4.x) + (_e79 * param_4.y)) + (_e90 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_470_: f32;
-    var phi_471_: f32;
-    var phi_472_: f32;
-    var phi_481_: f32;
-    var phi_482_: f32;
-
-    if (param_6 == 0u) {
-        phi_472_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e72 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e72 > 1f) {
-                phi_470_ = (2f - _e72);
+    let _e72 = (*param).size;
+    let _e73 = (_e72 & 65535u);
+    let _e75 = (*param).size;
+    let _e77 = (_e75 >> bitcast<u32>(16i));
+    let _e79 = (*param).flags;
+    let _e81 = ((_e79 & 4u) != 0u);
+    let _e83 = (*param).flags;
+    let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
+    if (_e86 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e99 > param_1) {
+                phi_227_ = 1f;
             } else {
-                phi_470_ = _e72;
+                phi_227_ = 0f;
             }
-            let _e76 = phi_470_;
-            phi_471_ = _e76;
+            let _e102 = phi_227_;
+            if (param_1 < 8388608f) {
+                phi_232_ = (_e99 - _e102);
+                phi_233_ = false;
+            } else {
+                phi_232_ = f32();
+                phi_233_ = true;
+            }
+            let _e105 = phi_232_;
+            let _e107 = phi_233_;
+            phi_234_ = _e105;
+            phi_235_ = _e107;
         } else {
-            phi_471_ = param_5;
+            phi_234_ = f32();
+            phi_235_ = true;
         }
-        let _e78 = phi_471_;
-        phi_472_ = _e78;
-    }
-    let _e80 = phi_472_;
-    if (_e80 > 0f) {
-        if (_e80 < 1f) {
-            phi_481_ = _e80;
+        let _e109 = phi_234_;
+        let _e111 = phi_235_;
+        if _e111 {
+            phi_239_ = param_1;
         } else {
-            phi_481_ = 1f;
+            phi_239_ = _e109;
         }
-        let _e84 = phi_481_;
-        phi_482_ = _e84;
+        let _e113 = phi_239_;
+        phi_287_ = (param_1 - _e113);
     } else {
-        phi_482_ = 0f;
-    }
-    let _e86 = phi_482_;
-    return _e86;
-}
-
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_408_: u32;
-    var phi_422_: u32;
-    var phi_429_: u32;
-    var phi_434_: u32;
-    var phi_440_: u32;
-    var phi_445_: u32;
-    var phi_447_: texture_Axis;
-
-    let _e67 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e68 = (param_8 - 1u);
-    let _e70 = (_e67 * f32(param_8));
-    if param_10 {
-        let _e77 = select(select(u32(_e70), 0u, (_e70 < bitcast<f32>(0u))), 4294967295u, (_e70 > bitcast<f32>(1333788671u)));
-        if (_e68 < _e77) {
-            phi_408_ = _e68;
+        if (_e86 == 1u) {
+            let _e116 = (param_1 * 0.5f);
+            if (_e116 > -8388608f) {
+                let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
+                if (_e128 > _e116) {
+                    phi_265_ = 1f;
+                } else {
+                    phi_265_ = 0f;
+                }
+                let _e131 = phi_265_;
+                if (_e116 < 8388608f) {
+                    phi_270_ = (_e128 - _e131);
+                    phi_271_ = false;
+                } else {
+                    phi_270_ = f32();
+                    phi_271_ = true;
+                }
+                let _e134 = phi_270_;
+                let _e136 = phi_271_;
+                phi_272_ = _e134;
+                phi_273_ = _e136;
+            } else {
+                phi_272_ = f32();
+                phi_273_ = true;
+            }
+            let _e138 = phi_272_;
+            let _e140 = phi_273_;
+            if _e140 {
+                phi_277_ = _e116;
+            } else {
+                phi_277_ = _e138;
+            }
+            let _e142 = phi_277_;
+            let _e144 = (param_1 - (2f * _e142));
+            if (_e144 > 1f) {
+                phi_285_ = (2f - _e144);
+            } else {
+                phi_285_ = _e144;
+            }
+            let _e148 = phi_285_;
+            phi_286_ = _e148;
         } else {
-            phi_408_ = _e77;
+            phi_286_ = param_1;
         }
-        let _e80 = phi_408_;
-        phi_447_ = texture_Axis(_e80, _e80, 0f);
-    } else {
-        let _e82 = (_e70 + 0.5f);
-        let _e89 = select(select(u32(_e82), 0u, (_e82 < bitcast<f32>(0u))), 4294967295u, (_e82 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e89) {
-            phi_422_ = param_8;
+        let _e150 = phi_286_;
+        phi_287_ = _e150;
+    }
+    let _e152 = phi_287_;
+    if (_e152 > 0f) {
+        if (_e152 < 1f) {
+            phi_296_ = _e152;
         } else {
-            phi_422_ = _e89;
+            phi_296_ = 1f;
         }
-        let _e92 = phi_422_;
-        if (param_9 == 0u) {
-            phi_429_ = _e68;
+        let _e156 = phi_296_;
+        phi_297_ = _e156;
+    } else {
+        phi_297_ = 0f;
+    }
+    let _e158 = phi_297_;
+    let _e159 = (_e73 - 1u);
+    let _e161 = (_e158 * f32(_e73));
+    if _e81 {
+        let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
+        if (_e159 < _e168) {
+            phi_315_ = _e159;
         } else {
-            phi_429_ = 0u;
+            phi_315_ = _e168;
         }
-        let _e97 = phi_429_;
-        if (param_9 == 0u) {
-            phi_434_ = 0u;
+        let _e171 = phi_315_;
+        phi_354_ = texture_Axis(_e171, _e171, 0f);
+    } else {
+        let _e173 = (_e161 + 0.5f);
+        let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
+        if (_e73 < _e180) {
+            phi_329_ = _e73;
         } else {
-            phi_434_ = _e68;
+            phi_329_ = _e180;
         }
-        let _e100 = phi_434_;
-        if (_e92 == 0u) {
-            phi_440_ = _e97;
+        let _e183 = phi_329_;
+        if (_e86 == 0u) {
+            phi_336_ = _e159;
         } else {
-            phi_440_ = (_e92 - 1u);
+            phi_336_ = 0u;
         }
-        let _e104 = phi_440_;
-        if (_e92 > _e68) {
-            phi_445_ = _e100;
+        let _e188 = phi_336_;
+        if (_e86 == 0u) {
+            phi_341_ = 0u;
         } else {
-            phi_445_ = _e92;
+            phi_341_ = _e159;
         }
-        let _e107 = phi_445_;
-        phi_447_ = texture_Axis(_e104, _e107, (_e82 - f32(_e92)));
-    }
-    let _e110 = phi_447_;
-    return _e110;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e67 = (*param_11).size;
-    let _e68 = (_e67 & 65535u);
-    let _e70 = (*param_11).size;
-    let _e74 = (*param_11).flags;
-    let _e76 = ((_e74 & 4u) != 0u);
-    let _e78 = (*param_11).flags;
-    let _e82 = lt_shaders_texture_axis(param_12, _e68, ((_e78 >> bitcast<u32>(4u)) & 3u), _e76);
-    let _e84 = (*param_11).flags;
-    let _e88 = lt_shaders_texture_axis(param_13, (_e70 >> bitcast<u32>(16i)), ((_e84 >> bitcast<u32>(6u)) & 3u), _e76);
-    let _e92 = (*param_11).offset;
-    let _e99 = (*param_11).offset;
-    let _e106 = (*param_11).offset;
-    let _e113 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e92 + (_e88.low * _e68)) + _e82.low), ((_e99 + (_e88.low * _e68)) + _e82.high), ((_e106 + (_e88.high * _e68)) + _e82.low), ((_e113 + (_e88.high * _e68)) + _e82.high)), vec4<f32>(((1f - _e82.fraction) * (1f - _e88.fraction)), (_e82.fraction * (1f - _e88.fraction)), ((1f - _e82.fraction) * _e88.fraction), (_e82.fraction * _e88.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_14: vec3<u32>, param_15: u32, param_16: u32) -> lt_bvh_traverse_Tree {
-    var phi_502_: lt_bvh_traverse_Tree;
-    var phi_503_: bool;
-    var phi_504_: lt_bvh_traverse_Tree;
-    var phi_505_: bool;
-    var phi_510_: lt_bvh_traverse_Tree;
-
-    if (param_14.x < param_15) {
-        if (param_14.y < param_16) {
-            phi_502_ = lt_bvh_traverse_Tree(1u, ((param_14.y * param_15) + param_14.x));
-            phi_503_ = false;
+        let _e191 = phi_341_;
+        if (_e183 == 0u) {
+            phi_347_ = _e188;
         } else {
-            phi_502_ = lt_bvh_traverse_Tree();
-            phi_503_ = true;
+            phi_347_ = (_e183 - 1u);
         }
-        let _e76 = phi_502_;
-        let _e78 = phi_503_;
-        phi_504_ = _e76;
-        phi_505_ = _e78;
-    } else {
-        phi_504_ = lt_bvh_traverse_Tree();
-        phi_505_ = true;
-    }
-    let _e80 = phi_504_;
-    let _e82 = phi_505_;
-    if _e82 {
-        phi_510_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_510_ = _e80;
-    }
-    let _e87 = phi_510_;
-    return lt_bvh_traverse_Tree(_e87.root, _e87.first_primitive);
-}
-
-fn lt_shaders_shade_unit(param_17: f32) -> f32 {
-    var phi_524_: f32;
-    var phi_525_: f32;
-
-    if (param_17 > 0f) {
-        if (param_17 < 1f) {
-            phi_524_ = param_17;
+        let _e195 = phi_347_;
+        if (_e183 > _e159) {
+            phi_352_ = _e191;
         } else {
-            phi_524_ = 1f;
+            phi_352_ = _e183;
         }
-        let _e67 = phi_524_;
-        phi_525_ = _e67;
-    } else {
-        phi_525_ = 0f;
+        let _e198 = phi_352_;
+        phi_354_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e69 = phi_525_;
-    return _e69;
-}
-
-fn lt_shaders_shade_sqrt(param_18: f32) -> f32 {
-    return sqrt(param_18);
-}
-
-fn lt_shaders_shade_pack_bytes(param_19: vec3<f32>) -> u32 {
-    let _e66 = ((param_19.x * 255f) + 0.5f);
-    let _e76 = ((param_19.y * 255f) + 0.5f);
-    let _e89 = ((param_19.z * 255f) + 0.5f);
-    return ((select(select(u32(_e66), 0u, (_e66 < bitcast<f32>(0u))), 4294967295u, (_e66 > bitcast<f32>(1333788671u))) | (select(select(u32(_e76), 0u, (_e76 < bitcast<f32>(0u))), 4294967295u, (_e76 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e89), 0u, (_e89 < bitcast<f32>(0u))), 4294967295u, (_e89 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i)));
-}
-
-fn _lt_bvh_ray_Ray_new(param_20: vec3<f32>, param_21: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_20, 0f, param_21, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_22: f32, param_23: f32) -> f32 {
-    var phi_580_: bool;
-    var phi_584_: f32;
-
-    if (param_22 != param_22) {
-        phi_580_ = true;
-    } else {
-        let _e66 = (param_23 >= param_22);
-        if _e66 {
+    let _e201 = phi_354_;
+    let _e203 = (*param).flags;
+    let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
+    if (_e206 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e219 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e219 > param_2) {
+                phi_382_ = 1f;
+            } else {
+                phi_382_ = 0f;
+            }
+            let _e222 = phi_382_;
+            if (param_2 < 8388608f) {
+                phi_387_ = (_e219 - _e222);
+                phi_388_ = false;
+            } else {
+                phi_387_ = f32();
+                phi_388_ = true;
+            }
+            let _e225 = phi_387_;
+            let _e227 = phi_388_;
+            phi_389_ = _e225;
+            phi_390_ = _e227;
+        } else {
+            phi_389_ = f32();
+            phi_390_ = true;
         }
-        phi_580_ = _e66;
-    }
-    let _e68 = phi_580_;
-    if _e68 {
-        phi_584_ = param_23;
-    } else {
-        phi_584_ = param_22;
-    }
-    let _e70 = phi_584_;
-    return _e70;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_24: f32, param_25: f32) -> f32 {
-    var phi_596_: bool;
-    var phi_600_: f32;
-
-    if (param_24 != param_24) {
-        phi_596_ = true;
-    } else {
-        let _e66 = (param_25 <= param_24);
-        if _e66 {
+        let _e229 = phi_389_;
+        let _e231 = phi_390_;
+        if _e231 {
+            phi_394_ = param_2;
+        } else {
+            phi_394_ = _e229;
         }
-        phi_596_ = _e66;
-    }
-    let _e68 = phi_596_;
-    if _e68 {
-        phi_600_ = param_25;
+        let _e233 = phi_394_;
+        phi_442_ = (param_2 - _e233);
     } else {
-        phi_600_ = param_24;
+        if (_e206 == 1u) {
+            let _e236 = (param_2 * 0.5f);
+            if (_e236 > -8388608f) {
+                let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
+                if (_e248 > _e236) {
+                    phi_420_ = 1f;
+                } else {
+                    phi_420_ = 0f;
+                }
+                let _e251 = phi_420_;
+                if (_e236 < 8388608f) {
+                    phi_425_ = (_e248 - _e251);
+                    phi_426_ = false;
+                } else {
+                    phi_425_ = f32();
+                    phi_426_ = true;
+                }
+                let _e254 = phi_425_;
+                let _e256 = phi_426_;
+                phi_427_ = _e254;
+                phi_428_ = _e256;
+            } else {
+                phi_427_ = f32();
+                phi_428_ = true;
+            }
+            let _e258 = phi_427_;
+            let _e260 = phi_428_;
+            if _e260 {
+                phi_432_ = _e236;
+            } else {
+                phi_432_ = _e258;
+            }
+            let _e262 = phi_432_;
+            let _e264 = (param_2 - (2f * _e262));
+            if (_e264 > 1f) {
+                phi_440_ = (2f - _e264);
+            } else {
+                phi_440_ = _e264;
+            }
+            let _e268 = phi_440_;
+            phi_441_ = _e268;
+        } else {
+            phi_441_ = param_2;
+        }
+        let _e270 = phi_441_;
+        phi_442_ = _e270;
     }
-    let _e70 = phi_600_;
-    return _e70;
-}
-
-fn lt_shaders_surface_barycentric_weights(param_26: f32, param_27: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_26) - param_27), param_26, param_27);
-}
-
-fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_28: f32, param_29: f32) -> f32 {
-    var phi_614_: f32;
-
-    if (param_28 > param_29) {
-        phi_614_ = param_28;
+    let _e272 = phi_442_;
+    if (_e272 > 0f) {
+        if (_e272 < 1f) {
+            phi_451_ = _e272;
+        } else {
+            phi_451_ = 1f;
+        }
+        let _e276 = phi_451_;
+        phi_452_ = _e276;
     } else {
-        phi_614_ = param_29;
+        phi_452_ = 0f;
     }
-    let _e67 = phi_614_;
-    return _e67;
-}
-
-fn lt_shaders_camera_facing(param_30: vec3<f32>, param_31: vec3<f32>) -> vec3<f32> {
-    var phi_634_: vec3<f32>;
-
-    if ((((param_30.x * param_31.x) + (param_30.y * param_31.y)) + (param_30.z * param_31.z)) < 0f) {
-        phi_634_ = -(param_30);
+    let _e278 = phi_452_;
+    let _e279 = (_e77 - 1u);
+    let _e281 = (_e278 * f32(_e77));
+    if _e81 {
+        let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
+        if (_e279 < _e288) {
+            phi_470_ = _e279;
+        } else {
+            phi_470_ = _e288;
+        }
+        let _e291 = phi_470_;
+        phi_509_ = texture_Axis(_e291, _e291, 0f);
     } else {
-        phi_634_ = param_30;
+        let _e293 = (_e281 + 0.5f);
+        let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
+        if (_e77 < _e300) {
+            phi_484_ = _e77;
+        } else {
+            phi_484_ = _e300;
+        }
+        let _e303 = phi_484_;
+        if (_e206 == 0u) {
+            phi_491_ = _e279;
+        } else {
+            phi_491_ = 0u;
+        }
+        let _e308 = phi_491_;
+        if (_e206 == 0u) {
+            phi_496_ = 0u;
+        } else {
+            phi_496_ = _e279;
+        }
+        let _e311 = phi_496_;
+        if (_e303 == 0u) {
+            phi_502_ = _e308;
+        } else {
+            phi_502_ = (_e303 - 1u);
+        }
+        let _e315 = phi_502_;
+        if (_e303 > _e279) {
+            phi_507_ = _e311;
+        } else {
+            phi_507_ = _e303;
+        }
+        let _e318 = phi_507_;
+        phi_509_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e79 = phi_634_;
-    return _e79;
+    let _e321 = phi_509_;
+    let _e325 = (*param).offset;
+    let _e332 = (*param).offset;
+    let _e339 = (*param).offset;
+    let _e346 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
 }
 
-fn lt_shaders_surface_plain_color(param_32: ptr<function, abi_Material>, param_33: ptr<function, array<abi_Vertex, 3>>, param_34: vec3<f32>) -> vec3<f32> {
-    let _e67 = (*param_32).base_color;
-    let _e71 = lt_shaders_surface_vertex_color(param_33, param_34);
-    return vec3<f32>((_e67.x * _e71.x), (_e67.y * _e71.y), (_e67.z * _e71.z));
-}
+fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
+    var phi_576_: lt_bvh_traverse_Tree;
+    var phi_577_: bool;
+    var phi_578_: lt_bvh_traverse_Tree;
+    var phi_579_: bool;
+    var phi_584_: lt_bvh_traverse_Tree;
 
-fn lt_shaders_surface_octahedral_decode(param_35: u32) -> vec3<f32> {
-    var phi_674_: f32;
-    var phi_681_: f32;
-    var phi_688_: f32;
-
-    let _e71 = (f32((bitcast<i32>((param_35 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e77 = (f32((bitcast<i32>(param_35) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e81 = ((1f - abs(_e71)) - abs(_e77));
-    if (_e81 < 0f) {
-        phi_674_ = -(_e81);
+    if (param_3.x < param_4) {
+        if (param_3.y < param_5) {
+            phi_576_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
+            phi_577_ = false;
+        } else {
+            phi_576_ = lt_bvh_traverse_Tree();
+            phi_577_ = true;
+        }
+        let _e81 = phi_576_;
+        let _e83 = phi_577_;
+        phi_578_ = _e81;
+        phi_579_ = _e83;
     } else {
-        phi_674_ = 0f;
+        phi_578_ = lt_bvh_traverse_Tree();
+        phi_579_ = true;
     }
-    let _e85 = phi_674_;
-    if (_e71 < 0f) {
-        phi_681_ = (_e71 + _e85);
+    let _e85 = phi_578_;
+    let _e87 = phi_579_;
+    if _e87 {
+        phi_584_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_681_ = (_e71 - _e85);
+        phi_584_ = _e85;
     }
-    let _e90 = phi_681_;
-    if (_e77 < 0f) {
-        phi_688_ = (_e77 + _e85);
-    } else {
-        phi_688_ = (_e77 - _e85);
-    }
-    let _e95 = phi_688_;
-    let _e102 = (1f / sqrt((((_e90 * _e90) + (_e95 * _e95)) + (_e81 * _e81))));
-    return vec3<f32>((_e90 * _e102), (_e95 * _e102), (_e81 * _e102));
+    let _e92 = phi_584_;
+    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
-fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_36: vec3<f32>) -> vec3<f32> {
-    return param_36;
+fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
 }
 
-fn lt_shaders_shade_pack_albedo(param_37: vec3<f32>) -> u32 {
-    let _e65 = lt_shaders_shade_unit(param_37.x);
-    let _e66 = lt_shaders_shade_sqrt(_e65);
-    let _e68 = lt_shaders_shade_unit(param_37.y);
-    let _e69 = lt_shaders_shade_sqrt(_e68);
-    let _e71 = lt_shaders_shade_unit(param_37.z);
-    let _e72 = lt_shaders_shade_sqrt(_e71);
-    let _e74 = lt_shaders_shade_pack_bytes(vec3<f32>(_e66, _e69, _e72));
-    return _e74;
+fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
+    var phi_603_: bool;
+    var phi_607_: f32;
+
+    if (param_8 != param_8) {
+        phi_603_ = true;
+    } else {
+        let _e71 = (param_9 >= param_8);
+        if _e71 {
+        }
+        phi_603_ = _e71;
+    }
+    let _e73 = phi_603_;
+    if _e73 {
+        phi_607_ = param_9;
+    } else {
+        phi_607_ = param_8;
+    }
+    let _e75 = phi_607_;
+    return _e75;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
+    var phi_619_: bool;
+    var phi_623_: f32;
+
+    if (param_10 != param_10) {
+        phi_619_ = true;
+    } else {
+        let _e71 = (param_11 <= param_10);
+        if _e71 {
+        }
+        phi_619_ = _e71;
+    }
+    let _e73 = phi_619_;
+    if _e73 {
+        phi_623_ = param_11;
+    } else {
+        phi_623_ = param_10;
+    }
+    let _e75 = phi_623_;
+    return _e75;
+}
+
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
+    var phi_631_: f32;
+
+    if (param_12 > param_13) {
+        phi_631_ = param_12;
+    } else {
+        phi_631_ = param_13;
+    }
+    let _e72 = phi_631_;
+    return _e72;
+}
+
+fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_14: vec3<f32>) -> vec3<f32> {
+    return param_14;
 }
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<abi_Vertex, 3>;
-    var local_2: abi_Material;
-    var local_3: lt_bvh_traverse_Stack;
-    var phi_855_: bool;
-    var phi_856_: bool;
-    var phi_857_: bool;
-    var phi_861_: bool;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_868_: bool;
-    var phi_869_: bool;
-    var phi_870_: bool;
-    var phi_871_: bool;
-    var phi_872_: bool;
-    var phi_873_: bool;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_876_: bool;
-    var phi_877_: bool;
-    var phi_878_: bool;
-    var phi_882_: bool;
-    var phi_886_: bool;
-    var phi_961_: f32;
-    var phi_968_: f32;
-    var phi_976_: f32;
-    var phi_983_: f32;
-    var phi_991_: f32;
-    var phi_998_: f32;
-    var phi_1023_: f32;
-    var phi_1028_: f32;
-    var phi_1033_: f32;
-    var phi_1066_: bool;
-    var phi_1067_: bool;
-    var phi_1075_: u32;
-    var phi_1076_: u32;
-    var phi_1094_: vec3<f32>;
-    var phi_1095_: vec3<f32>;
-    var phi_1109_: u32;
-    var phi_1114_: u32;
-    var phi_1119_: u32;
-    var phi_1233_: bool;
-    var phi_1234_: bool;
-    var phi_1265_: u32;
-    var phi_1267_: lt_bvh_Hit;
-    var phi_1270_: u32;
-    var phi_1355_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1382_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1409_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1415_: u32;
-    var phi_1418_: u32;
-    var phi_1432_: u32;
-    var phi_1442_: u32;
-    var phi_1452_: u32;
-    var phi_1470_: u32;
-    var phi_1480_: u32;
-    var phi_1490_: u32;
-    var phi_1526_: u32;
-    var phi_1539_: u32;
-    var phi_1544_: u32;
-    var phi_1545_: u32;
-    var phi_1546_: u32;
-    var phi_1416_: u32;
-    var phi_1419_: u32;
+    var local_1: lt_bvh_traverse_Stack;
+    var phi_772_: bool;
+    var phi_773_: bool;
+    var phi_774_: bool;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: bool;
+    var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_791_: bool;
+    var phi_792_: bool;
+    var phi_793_: bool;
+    var phi_794_: bool;
+    var phi_795_: bool;
+    var phi_799_: bool;
+    var phi_803_: bool;
+    var phi_878_: f32;
+    var phi_885_: f32;
+    var phi_893_: f32;
+    var phi_900_: f32;
+    var phi_908_: f32;
+    var phi_915_: f32;
+    var phi_940_: f32;
+    var phi_945_: f32;
+    var phi_950_: f32;
+    var phi_983_: bool;
+    var phi_984_: bool;
+    var phi_992_: u32;
+    var phi_993_: u32;
+    var phi_1011_: vec3<f32>;
+    var phi_1012_: vec3<f32>;
+    var phi_1026_: u32;
+    var phi_1031_: u32;
+    var phi_1036_: u32;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1182_: u32;
+    var phi_1184_: lt_bvh_Hit;
+    var phi_1187_: u32;
+    var phi_1272_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1299_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1326_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1332_: u32;
+    var phi_1335_: u32;
+    var phi_1349_: u32;
+    var phi_1359_: u32;
+    var phi_1369_: u32;
+    var phi_1387_: u32;
+    var phi_1397_: u32;
+    var phi_1407_: u32;
+    var phi_1443_: u32;
+    var phi_1456_: u32;
+    var phi_1461_: u32;
+    var phi_1462_: u32;
+    var phi_1463_: u32;
+    var phi_1333_: u32;
+    var phi_1336_: u32;
+    var local_2: u32;
+    var local_3: u32;
     var local_4: u32;
-    var local_5: u32;
-    var local_6: u32;
-    var phi_1604_: lt_bvh_Hit;
-    var phi_1607_: u32;
-    var phi_1653_: vec3<f32>;
-    var phi_1654_: vec3<f32>;
-    var phi_1687_: vec3<f32>;
-    var phi_1688_: vec3<f32>;
-    var phi_1721_: vec3<f32>;
-    var phi_1722_: vec3<f32>;
-    var phi_1742_: bool;
+    var phi_1521_: lt_bvh_Hit;
+    var phi_1524_: u32;
+    var phi_1570_: vec3<f32>;
+    var phi_1571_: vec3<f32>;
+    var phi_1604_: vec3<f32>;
+    var phi_1605_: vec3<f32>;
+    var phi_1638_: vec3<f32>;
+    var phi_1639_: vec3<f32>;
+    var phi_1659_: bool;
+    var phi_1660_: bool;
+    var phi_1664_: f32;
+    var phi_1665_: f32;
+    var phi_1666_: f32;
+    var phi_1667_: f32;
+    var phi_1675_: f32;
+    var phi_1685_: bool;
+    var phi_1686_: bool;
+    var phi_1690_: f32;
+    var phi_1691_: f32;
+    var phi_1692_: f32;
+    var phi_1693_: f32;
+    var phi_1701_: f32;
+    var phi_1711_: bool;
+    var phi_1712_: bool;
+    var phi_1716_: f32;
+    var phi_1717_: f32;
+    var phi_1718_: f32;
+    var phi_1719_: f32;
+    var phi_1727_: f32;
+    var phi_1742_: f32;
     var phi_1743_: bool;
-    var phi_1747_: f32;
-    var phi_1748_: f32;
-    var phi_1749_: f32;
-    var phi_1750_: f32;
-    var phi_1758_: f32;
-    var phi_1768_: bool;
+    var phi_1744_: f32;
+    var phi_1745_: bool;
+    var phi_1746_: f32;
+    var phi_1747_: bool;
+    var phi_1765_: f32;
+    var phi_1766_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: f32;
     var phi_1769_: bool;
-    var phi_1773_: f32;
-    var phi_1774_: f32;
+    var phi_1770_: bool;
+    var phi_1774_: bool;
     var phi_1775_: f32;
-    var phi_1776_: f32;
-    var phi_1784_: f32;
-    var phi_1794_: bool;
-    var phi_1795_: bool;
-    var phi_1799_: f32;
-    var phi_1800_: f32;
-    var phi_1801_: f32;
-    var phi_1802_: f32;
-    var phi_1810_: f32;
-    var phi_1825_: f32;
-    var phi_1826_: bool;
-    var phi_1827_: f32;
-    var phi_1828_: bool;
-    var phi_1829_: f32;
-    var phi_1830_: bool;
-    var phi_1848_: f32;
-    var phi_1849_: bool;
-    var phi_1850_: bool;
-    var phi_1851_: f32;
-    var phi_1852_: bool;
-    var phi_1853_: bool;
-    var phi_1857_: bool;
-    var phi_1858_: f32;
-    var phi_1859_: bool;
-    var phi_1885_: f32;
-    var phi_1894_: f32;
-    var phi_1903_: f32;
-    var phi_1912_: f32;
-    var phi_1919_: f32;
-    var phi_1926_: f32;
-    var phi_1939_: f32;
+    var phi_1776_: bool;
+    var phi_1812_: f32;
+    var phi_1821_: f32;
+    var phi_1830_: f32;
+    var phi_1839_: f32;
+    var phi_1846_: f32;
+    var phi_1853_: f32;
+    var phi_1866_: f32;
+    var phi_1875_: f32;
+    var phi_1884_: f32;
+    var phi_1893_: f32;
+    var phi_1900_: f32;
+    var phi_1907_: f32;
+    var phi_1930_: f32;
+    var phi_1935_: f32;
+    var phi_1940_: f32;
     var phi_1948_: f32;
-    var phi_1957_: f32;
-    var phi_1966_: f32;
-    var phi_1973_: f32;
+    var phi_1953_: f32;
+    var phi_1958_: f32;
+    var phi_1970_: f32;
+    var phi_1975_: f32;
     var phi_1980_: f32;
-    var phi_2003_: f32;
-    var phi_2008_: f32;
-    var phi_2013_: f32;
-    var phi_2021_: f32;
-    var phi_2026_: f32;
-    var phi_2031_: f32;
-    var phi_2043_: f32;
-    var phi_2048_: f32;
-    var phi_2053_: f32;
-    var phi_2058_: f32;
-    var phi_2063_: lt_bvh_triangle_Intersection;
-    var phi_2064_: lt_bvh_triangle_Intersection;
-    var phi_2065_: bool;
-    var phi_2069_: lt_bvh_triangle_Intersection;
-    var phi_2108_: bool;
-    var phi_2109_: bool;
-    var phi_2110_: bool;
-    var phi_2111_: bool;
-    var phi_2112_: bool;
-    var phi_2113_: bool;
-    var phi_2117_: bool;
-    var phi_2118_: bool;
-    var phi_2132_: bool;
-    var phi_2140_: lt_bvh_Hit;
-    var phi_2141_: lt_bvh_Hit;
-    var phi_2142_: lt_bvh_Hit;
-    var phi_2143_: lt_bvh_Hit;
-    var phi_1605_: lt_bvh_Hit;
-    var phi_1608_: u32;
-    var phi_2144_: bool;
-    var phi_2183_: bool;
-    var phi_2184_: bool;
-    var phi_2215_: u32;
-    var phi_1268_: lt_bvh_Hit;
-    var phi_1271_: u32;
-    var phi_2216_: lt_bvh_Hit;
-    var phi_2217_: lt_bvh_Hit;
-    var phi_2218_: bool;
-    var phi_2222_: lt_bvh_Hit;
-    var phi_2288_: f32;
-    var phi_2293_: f32;
-    var phi_2298_: f32;
-    var phi_2309_: f32;
-    var phi_2314_: f32;
-    var phi_2319_: f32;
-    var phi_2552_: vec3<f32>;
-    var phi_2563_: u32;
-    var phi_2629_: vec3<f32>;
-    var phi_2630_: vec3<f32>;
-    var phi_2634_: abi_Sample;
-    var local_7: lt_bvh_Hit;
-    var local_8: lt_bvh_Hit;
+    var phi_1985_: f32;
+    var phi_1990_: lt_bvh_triangle_Intersection;
+    var phi_1991_: bool;
+    var phi_1992_: lt_bvh_triangle_Intersection;
+    var phi_1993_: bool;
+    var phi_1997_: lt_bvh_triangle_Intersection;
+    var phi_1998_: bool;
+    var phi_1999_: lt_bvh_triangle_Intersection;
+    var phi_2000_: bool;
+    var phi_2001_: bool;
+    var phi_2005_: bool;
+    var phi_2009_: lt_bvh_triangle_Intersection;
+    var phi_2048_: bool;
+    var phi_2049_: bool;
+    var phi_2050_: bool;
+    var phi_2051_: bool;
+    var phi_2052_: bool;
+    var phi_2053_: bool;
+    var phi_2057_: bool;
+    var phi_2058_: bool;
+    var phi_2072_: bool;
+    var phi_2080_: lt_bvh_Hit;
+    var phi_2081_: lt_bvh_Hit;
+    var phi_2082_: lt_bvh_Hit;
+    var phi_2083_: lt_bvh_Hit;
+    var phi_1522_: lt_bvh_Hit;
+    var phi_1525_: u32;
+    var phi_2084_: bool;
+    var phi_2123_: bool;
+    var phi_2124_: bool;
+    var phi_2155_: u32;
+    var phi_1185_: lt_bvh_Hit;
+    var phi_1188_: u32;
+    var phi_2156_: lt_bvh_Hit;
+    var phi_2157_: lt_bvh_Hit;
+    var phi_2158_: bool;
+    var phi_2162_: lt_bvh_Hit;
+    var phi_2226_: f32;
+    var phi_2231_: f32;
+    var phi_2236_: f32;
+    var phi_2247_: f32;
+    var phi_2252_: f32;
+    var phi_2257_: f32;
+    var phi_2333_: vec3<f32>;
+    var phi_2576_: vec3<f32>;
+    var phi_2591_: u32;
+    var phi_2618_: f32;
+    var phi_2625_: f32;
+    var phi_2632_: f32;
+    var phi_2667_: f32;
+    var phi_2674_: f32;
+    var phi_2681_: f32;
+    var phi_2719_: f32;
+    var phi_2726_: f32;
+    var phi_2733_: f32;
+    var phi_2792_: vec3<f32>;
+    var phi_2793_: vec3<f32>;
+    var phi_2794_: vec3<f32>;
+    var phi_2803_: f32;
+    var phi_2804_: f32;
+    var phi_2814_: f32;
+    var phi_2815_: f32;
+    var phi_2825_: f32;
+    var phi_2826_: f32;
+    var phi_2861_: abi_Sample;
+    var local_5: lt_bvh_Hit;
+    var local_6: lt_bvh_Hit;
 
-    let _e67 = id_1;
-    let _e71 = arrayLength((&nodes.member));
-    let _e74 = arrayLength((&triangles.member));
-    let _e77 = arrayLength((&vertices.member));
-    let _e86 = arrayLength((&color_texels.member));
-    let _e89 = p.member.size[0u];
-    let _e91 = p.member.size[1u];
-    let _e92 = lt_shaders_entry_pixel_index(_e67, _e89, _e91);
-    if (bitcast<i32>(_e92.root) != 0i) {
-        let _e100 = p.member.eye;
-        let _e105 = p.member.size[0u];
-        let _e109 = ((((f32(_e67.x) + 0.5f) / f32(_e105)) * 2f) - 1f);
-        let _e114 = p.member.size[1u];
-        let _e118 = (1f - (((f32(_e67.y) + 0.5f) / f32(_e114)) * 2f));
-        let _e120 = p.member.forward;
-        let _e122 = p.member.right;
-        let _e136 = p.member.up;
-        let _e147 = _lt_bvh_ray_Ray_new(_e100, vec3<f32>(((_e120.x + (_e122.x * _e109)) + (_e136.x * _e118)), ((_e120.y + (_e122.y * _e109)) + (_e136.y * _e118)), ((_e120.z + (_e122.z * _e109)) + (_e136.z * _e118))));
-        let _e149 = lt_bvh_Hit(_e147.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e159 = abs(_e147.direction.x);
-        let _e161 = abs(_e147.direction.y);
-        let _e163 = abs(_e147.direction.z);
-        if (abs(_e147.origin.x) < 1000000000000000f) {
-            if (abs(_e147.origin.y) < 1000000000000000f) {
-                if (abs(_e147.origin.z) < 1000000000000000f) {
-                    if (_e159 < 1000000000000000f) {
-                        if (_e161 < 1000000000000000f) {
-                            if (_e163 < 1000000000000000f) {
-                                if (_e159 > 0f) {
-                                    phi_856_ = bool();
-                                    phi_857_ = true;
+    let _e70 = id_1;
+    let _e74 = arrayLength((&nodes.member));
+    let _e77 = arrayLength((&triangles.member));
+    let _e80 = arrayLength((&vertices.member));
+    let _e89 = arrayLength((&color_texels.member));
+    let _e92 = p.member.size[0u];
+    let _e94 = p.member.size[1u];
+    let _e95 = lt_shaders_entry_pixel_index(_e70, _e92, _e94);
+    if (bitcast<i32>(_e95.root) != 0i) {
+        let _e103 = p.member.eye;
+        let _e108 = p.member.size[0u];
+        let _e112 = ((((f32(_e70.x) + 0.5f) / f32(_e108)) * 2f) - 1f);
+        let _e117 = p.member.size[1u];
+        let _e121 = (1f - (((f32(_e70.y) + 0.5f) / f32(_e117)) * 2f));
+        let _e123 = p.member.forward;
+        let _e125 = p.member.right;
+        let _e139 = p.member.up;
+        let _e150 = _lt_bvh_ray_Ray_new(_e103, vec3<f32>(((_e123.x + (_e125.x * _e112)) + (_e139.x * _e121)), ((_e123.y + (_e125.y * _e112)) + (_e139.y * _e121)), ((_e123.z + (_e125.z * _e112)) + (_e139.z * _e121))));
+        let _e152 = lt_bvh_Hit(_e150.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e162 = abs(_e150.direction.x);
+        let _e164 = abs(_e150.direction.y);
+        let _e166 = abs(_e150.direction.z);
+        if (abs(_e150.origin.x) < 1000000000000000f) {
+            if (abs(_e150.origin.y) < 1000000000000000f) {
+                if (abs(_e150.origin.z) < 1000000000000000f) {
+                    if (_e162 < 1000000000000000f) {
+                        if (_e164 < 1000000000000000f) {
+                            if (_e166 < 1000000000000000f) {
+                                if (_e162 > 0f) {
+                                    phi_773_ = bool();
+                                    phi_774_ = true;
                                 } else {
-                                    let _e171 = (_e161 > 0f);
-                                    if _e171 {
-                                        phi_855_ = bool();
+                                    let _e174 = (_e164 > 0f);
+                                    if _e174 {
+                                        phi_772_ = bool();
                                     } else {
-                                        phi_855_ = (_e163 > 0f);
+                                        phi_772_ = (_e166 > 0f);
                                     }
-                                    let _e174 = phi_855_;
-                                    phi_856_ = _e174;
-                                    phi_857_ = _e171;
+                                    let _e177 = phi_772_;
+                                    phi_773_ = _e177;
+                                    phi_774_ = _e174;
                                 }
-                                let _e176 = phi_856_;
-                                let _e178 = phi_857_;
-                                if _e178 {
-                                    phi_861_ = true;
+                                let _e179 = phi_773_;
+                                let _e181 = phi_774_;
+                                if _e181 {
+                                    phi_778_ = true;
                                 } else {
-                                    phi_861_ = _e176;
+                                    phi_778_ = _e179;
                                 }
-                                let _e180 = phi_861_;
-                                phi_862_ = _e180;
-                                phi_863_ = false;
+                                let _e183 = phi_778_;
+                                phi_779_ = _e183;
+                                phi_780_ = false;
                             } else {
-                                phi_862_ = bool();
-                                phi_863_ = true;
+                                phi_779_ = bool();
+                                phi_780_ = true;
                             }
-                            let _e182 = phi_862_;
-                            let _e184 = phi_863_;
-                            phi_864_ = _e182;
-                            phi_865_ = false;
-                            phi_866_ = _e184;
+                            let _e185 = phi_779_;
+                            let _e187 = phi_780_;
+                            phi_781_ = _e185;
+                            phi_782_ = false;
+                            phi_783_ = _e187;
                         } else {
-                            phi_864_ = bool();
-                            phi_865_ = true;
-                            phi_866_ = false;
+                            phi_781_ = bool();
+                            phi_782_ = true;
+                            phi_783_ = false;
                         }
-                        let _e186 = phi_864_;
-                        let _e188 = phi_865_;
-                        let _e190 = phi_866_;
-                        phi_867_ = _e186;
-                        phi_868_ = _e188;
-                        phi_869_ = _e190;
+                        let _e189 = phi_781_;
+                        let _e191 = phi_782_;
+                        let _e193 = phi_783_;
+                        phi_784_ = _e189;
+                        phi_785_ = _e191;
+                        phi_786_ = _e193;
                     } else {
-                        phi_867_ = bool();
-                        phi_868_ = true;
-                        phi_869_ = false;
+                        phi_784_ = bool();
+                        phi_785_ = true;
+                        phi_786_ = false;
                     }
-                    let _e192 = phi_867_;
-                    let _e194 = phi_868_;
-                    let _e196 = phi_869_;
-                    phi_870_ = _e192;
-                    phi_871_ = _e194;
-                    phi_872_ = _e196;
+                    let _e195 = phi_784_;
+                    let _e197 = phi_785_;
+                    let _e199 = phi_786_;
+                    phi_787_ = _e195;
+                    phi_788_ = _e197;
+                    phi_789_ = _e199;
                 } else {
-                    phi_870_ = bool();
-                    phi_871_ = true;
-                    phi_872_ = false;
+                    phi_787_ = bool();
+                    phi_788_ = true;
+                    phi_789_ = false;
                 }
-                let _e198 = phi_870_;
-                let _e200 = phi_871_;
-                let _e202 = phi_872_;
-                phi_873_ = _e198;
-                phi_874_ = _e200;
-                phi_875_ = _e202;
+                let _e201 = phi_787_;
+                let _e203 = phi_788_;
+                let _e205 = phi_789_;
+                phi_790_ = _e201;
+                phi_791_ = _e203;
+                phi_792_ = _e205;
             } else {
-                phi_873_ = bool();
-                phi_874_ = true;
-                phi_875_ = false;
+                phi_790_ = bool();
+                phi_791_ = true;
+                phi_792_ = false;
             }
-            let _e204 = phi_873_;
-            let _e206 = phi_874_;
-            let _e208 = phi_875_;
-            phi_876_ = _e204;
-            phi_877_ = _e206;
-            phi_878_ = _e208;
+            let _e207 = phi_790_;
+            let _e209 = phi_791_;
+            let _e211 = phi_792_;
+            phi_793_ = _e207;
+            phi_794_ = _e209;
+            phi_795_ = _e211;
         } else {
-            phi_876_ = bool();
-            phi_877_ = true;
-            phi_878_ = false;
+            phi_793_ = bool();
+            phi_794_ = true;
+            phi_795_ = false;
         }
-        let _e210 = phi_876_;
-        let _e212 = phi_877_;
-        let _e214 = phi_878_;
-        if _e212 {
-            phi_882_ = true;
+        let _e213 = phi_793_;
+        let _e215 = phi_794_;
+        let _e217 = phi_795_;
+        if _e215 {
+            phi_799_ = true;
         } else {
-            phi_882_ = _e214;
+            phi_799_ = _e217;
         }
-        let _e216 = phi_882_;
-        if _e216 {
-            phi_886_ = false;
+        let _e219 = phi_799_;
+        if _e219 {
+            phi_803_ = false;
         } else {
-            phi_886_ = _e210;
+            phi_803_ = _e213;
         }
-        let _e218 = phi_886_;
-        if _e218 {
-            let _e219 = (0u >= _e71);
-            if _e219 {
-                phi_2216_ = lt_bvh_Hit();
+        let _e221 = phi_803_;
+        if _e221 {
+            let _e222 = (0u >= _e74);
+            if _e222 {
+                phi_2156_ = lt_bvh_Hit();
             } else {
-                if (0u < _e71) {
+                if (0u < _e74) {
                 } else {
                     return;
                 }
-                let _e225 = nodes.member[(0u + 0u)].frame[0u];
-                let _e229 = nodes.member[(0u + 0u)].frame[1u];
-                let _e233 = nodes.member[(0u + 0u)].frame[2u];
-                let _e237 = nodes.member[(0u + 0u)].frame[0u];
-                let _e241 = nodes.member[(0u + 0u)].frame[1u];
-                let _e245 = nodes.member[(0u + 0u)].frame[2u];
-                let _e249 = nodes.member[(0u + 0u)].frame[3u];
-                let _e287 = core_intrinsics_maximum_number_nsz_f32_(abs(_e147.direction.x), abs(_e147.direction.y));
-                let _e288 = core_intrinsics_maximum_number_nsz_f32_(_e287, abs(_e147.direction.z));
-                let _e289 = (_e288 * 0.0000000000009094947f);
-                if (abs(_e147.direction.x) < _e289) {
-                    phi_961_ = _e289;
+                let _e228 = nodes.member[(0u + 0u)].frame[0u];
+                let _e232 = nodes.member[(0u + 0u)].frame[1u];
+                let _e236 = nodes.member[(0u + 0u)].frame[2u];
+                let _e240 = nodes.member[(0u + 0u)].frame[0u];
+                let _e244 = nodes.member[(0u + 0u)].frame[1u];
+                let _e248 = nodes.member[(0u + 0u)].frame[2u];
+                let _e252 = nodes.member[(0u + 0u)].frame[3u];
+                let _e290 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150.direction.x), abs(_e150.direction.y));
+                let _e291 = core_intrinsics_maximum_number_nsz_f32_(_e290, abs(_e150.direction.z));
+                let _e292 = (_e291 * 0.0000000000009094947f);
+                if (abs(_e150.direction.x) < _e292) {
+                    phi_878_ = _e292;
                 } else {
-                    phi_961_ = abs(_e147.direction.x);
+                    phi_878_ = abs(_e150.direction.x);
                 }
-                let _e296 = phi_961_;
-                if (_e147.direction.x < 0f) {
-                    phi_968_ = (-1f / _e296);
+                let _e299 = phi_878_;
+                if (_e150.direction.x < 0f) {
+                    phi_885_ = (-1f / _e299);
                 } else {
-                    phi_968_ = (1f / _e296);
+                    phi_885_ = (1f / _e299);
                 }
-                let _e301 = phi_968_;
-                if (abs(_e147.direction.y) < _e289) {
-                    phi_976_ = _e289;
+                let _e304 = phi_885_;
+                if (abs(_e150.direction.y) < _e292) {
+                    phi_893_ = _e292;
                 } else {
-                    phi_976_ = abs(_e147.direction.y);
+                    phi_893_ = abs(_e150.direction.y);
                 }
-                let _e308 = phi_976_;
-                if (_e147.direction.y < 0f) {
-                    phi_983_ = (-1f / _e308);
+                let _e311 = phi_893_;
+                if (_e150.direction.y < 0f) {
+                    phi_900_ = (-1f / _e311);
                 } else {
-                    phi_983_ = (1f / _e308);
+                    phi_900_ = (1f / _e311);
                 }
-                let _e313 = phi_983_;
-                if (abs(_e147.direction.z) < _e289) {
-                    phi_991_ = _e289;
+                let _e316 = phi_900_;
+                if (abs(_e150.direction.z) < _e292) {
+                    phi_908_ = _e292;
                 } else {
-                    phi_991_ = abs(_e147.direction.z);
+                    phi_908_ = abs(_e150.direction.z);
                 }
-                let _e320 = phi_991_;
-                if (_e147.direction.z < 0f) {
-                    phi_998_ = (-1f / _e320);
+                let _e323 = phi_908_;
+                if (_e150.direction.z < 0f) {
+                    phi_915_ = (-1f / _e323);
                 } else {
-                    phi_998_ = (1f / _e320);
+                    phi_915_ = (1f / _e323);
                 }
-                let _e325 = phi_998_;
-                let _e333 = abs((bitcast<f32>(_e225) - _e147.origin.x));
-                let _e334 = abs((bitcast<f32>(_e229) - _e147.origin.y));
-                let _e335 = abs((bitcast<f32>(_e233) - _e147.origin.z));
-                let _e343 = abs(((bitcast<f32>(_e237) + (bitcast<f32>((((_e249 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147.origin.x));
-                let _e344 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e249 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147.origin.y));
-                let _e345 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e249 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147.origin.z));
-                if (_e333 > _e343) {
-                    phi_1023_ = _e333;
+                let _e328 = phi_915_;
+                let _e336 = abs((bitcast<f32>(_e228) - _e150.origin.x));
+                let _e337 = abs((bitcast<f32>(_e232) - _e150.origin.y));
+                let _e338 = abs((bitcast<f32>(_e236) - _e150.origin.z));
+                let _e346 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e252 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.x));
+                let _e347 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e252 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.y));
+                let _e348 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e252 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.z));
+                if (_e336 > _e346) {
+                    phi_940_ = _e336;
                 } else {
-                    phi_1023_ = _e343;
+                    phi_940_ = _e346;
                 }
-                let _e348 = phi_1023_;
-                if (_e334 > _e344) {
-                    phi_1028_ = _e334;
+                let _e351 = phi_940_;
+                if (_e337 > _e347) {
+                    phi_945_ = _e337;
                 } else {
-                    phi_1028_ = _e344;
+                    phi_945_ = _e347;
                 }
-                let _e351 = phi_1028_;
-                if (_e335 > _e345) {
-                    phi_1033_ = _e335;
+                let _e354 = phi_945_;
+                if (_e338 > _e348) {
+                    phi_950_ = _e338;
                 } else {
-                    phi_1033_ = _e345;
+                    phi_950_ = _e348;
                 }
-                let _e354 = phi_1033_;
-                let _e355 = core_intrinsics_maximum_number_nsz_f32_(_e348, _e351);
-                let _e356 = core_intrinsics_maximum_number_nsz_f32_(_e355, _e354);
-                let _e361 = (_e356 * 0.0000019073486f);
-                let _e362 = (abs(_e301) * _e361);
-                let _e363 = (abs(_e313) * _e361);
-                let _e364 = (abs(_e325) * _e361);
-                let _e368 = (_e356 * 0.0000009536743f);
-                let _e369 = (abs(_e301) * _e368);
-                let _e370 = (abs(_e313) * _e368);
-                let _e371 = (abs(_e325) * _e368);
-                let _e374 = abs(_e147.direction.x);
-                let _e376 = abs(_e147.direction.y);
-                let _e378 = abs(_e147.direction.z);
-                if (_e374 >= _e376) {
-                    if (_e374 >= _e378) {
-                        phi_1066_ = false;
+                let _e357 = phi_950_;
+                let _e358 = core_intrinsics_maximum_number_nsz_f32_(_e351, _e354);
+                let _e359 = core_intrinsics_maximum_number_nsz_f32_(_e358, _e357);
+                let _e364 = (_e359 * 0.0000019073486f);
+                let _e365 = (abs(_e304) * _e364);
+                let _e366 = (abs(_e316) * _e364);
+                let _e367 = (abs(_e328) * _e364);
+                let _e371 = (_e359 * 0.0000009536743f);
+                let _e372 = (abs(_e304) * _e371);
+                let _e373 = (abs(_e316) * _e371);
+                let _e374 = (abs(_e328) * _e371);
+                let _e377 = abs(_e150.direction.x);
+                let _e379 = abs(_e150.direction.y);
+                let _e381 = abs(_e150.direction.z);
+                if (_e377 >= _e379) {
+                    if (_e377 >= _e381) {
+                        phi_983_ = false;
                     } else {
-                        phi_1066_ = true;
+                        phi_983_ = true;
                     }
-                    let _e382 = phi_1066_;
-                    phi_1067_ = _e382;
+                    let _e385 = phi_983_;
+                    phi_984_ = _e385;
                 } else {
-                    phi_1067_ = true;
+                    phi_984_ = true;
                 }
-                let _e384 = phi_1067_;
-                if _e384 {
-                    if (_e376 >= _e378) {
-                        phi_1075_ = 1u;
+                let _e387 = phi_984_;
+                if _e387 {
+                    if (_e379 >= _e381) {
+                        phi_992_ = 1u;
                     } else {
-                        phi_1075_ = 2u;
+                        phi_992_ = 2u;
                     }
-                    let _e387 = phi_1075_;
-                    phi_1076_ = _e387;
+                    let _e390 = phi_992_;
+                    phi_993_ = _e390;
                 } else {
-                    phi_1076_ = 0u;
+                    phi_993_ = 0u;
                 }
-                let _e389 = phi_1076_;
-                if (_e389 == 0u) {
-                    phi_1095_ = vec3<f32>(_e147.direction.y, _e147.direction.z, _e147.direction.x);
+                let _e392 = phi_993_;
+                if (_e392 == 0u) {
+                    phi_1012_ = vec3<f32>(_e150.direction.y, _e150.direction.z, _e150.direction.x);
                 } else {
-                    if (_e389 == 1u) {
-                        phi_1094_ = vec3<f32>(_e147.direction.z, _e147.direction.x, _e147.direction.y);
+                    if (_e392 == 1u) {
+                        phi_1011_ = vec3<f32>(_e150.direction.z, _e150.direction.x, _e150.direction.y);
                     } else {
-                        phi_1094_ = _e147.direction;
+                        phi_1011_ = _e150.direction;
                     }
-                    let _e402 = phi_1094_;
-                    phi_1095_ = _e402;
+                    let _e405 = phi_1011_;
+                    phi_1012_ = _e405;
                 }
-                let _e404 = phi_1095_;
-                let _e408 = (_e404.x / _e404.z);
-                let _e411 = (_e404.y / _e404.z);
-                let _e413 = (1f / _e404.z);
-                if (_e301 < 0f) {
-                    phi_1109_ = 0u;
+                let _e407 = phi_1012_;
+                let _e411 = (_e407.x / _e407.z);
+                let _e414 = (_e407.y / _e407.z);
+                let _e416 = (1f / _e407.z);
+                if (_e304 < 0f) {
+                    phi_1026_ = 0u;
                 } else {
-                    phi_1109_ = 1u;
+                    phi_1026_ = 1u;
                 }
-                let _e416 = phi_1109_;
-                if (_e313 < 0f) {
-                    phi_1114_ = 0u;
+                let _e419 = phi_1026_;
+                if (_e316 < 0f) {
+                    phi_1031_ = 0u;
                 } else {
-                    phi_1114_ = 2u;
+                    phi_1031_ = 2u;
                 }
-                let _e419 = phi_1114_;
-                if (_e325 < 0f) {
-                    phi_1119_ = 0u;
+                let _e422 = phi_1031_;
+                if (_e328 < 0f) {
+                    phi_1036_ = 0u;
                 } else {
-                    phi_1119_ = 4u;
+                    phi_1036_ = 4u;
                 }
-                let _e422 = phi_1119_;
-                let _e424 = ((_e416 | _e419) | _e422);
-                let _e425 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e425.first[0], _e425.first[1], _e425.first[2], _e425.first[3], _e425.first[4], _e425.first[5], _e425.first[6], _e425.first[7], _e425.first[8], _e425.first[9], _e425.first[10], _e425.first[11], _e425.first[12], _e425.first[13], _e425.first[14], _e425.first[15], _e425.first[16], _e425.first[17], _e425.first[18], _e425.first[19], _e425.first[20], _e425.first[21], _e425.first[22], _e425.first[23], _e425.first[24], _e425.first[25], _e425.first[26], _e425.first[27], _e425.first[28], _e425.first[29], _e425.first[30], _e425.first[31]), array<u32, 32>(_e425.mask[0], _e425.mask[1], _e425.mask[2], _e425.mask[3], _e425.mask[4], _e425.mask[5], _e425.mask[6], _e425.mask[7], _e425.mask[8], _e425.mask[9], _e425.mask[10], _e425.mask[11], _e425.mask[12], _e425.mask[13], _e425.mask[14], _e425.mask[15], _e425.mask[16], _e425.mask[17], _e425.mask[18], _e425.mask[19], _e425.mask[20], _e425.mask[21], _e425.mask[22], _e425.mask[23], _e425.mask[24], _e425.mask[25], _e425.mask[26], _e425.mask[27], _e425.mask[28], _e425.mask[29], _e425.mask[30], _e425.mask[31]), _e425.len, _e425.group, _e425.group_mask);
-                let _e499 = local_3.group_mask;
-                if ((_e499 & 4278190080u) == 0u) {
-                    let _e503 = local_3.len;
-                    if (_e503 == 0u) {
-                        phi_1233_ = false;
+                let _e425 = phi_1036_;
+                let _e427 = ((_e419 | _e422) | _e425);
+                let _e428 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e428.first[0], _e428.first[1], _e428.first[2], _e428.first[3], _e428.first[4], _e428.first[5], _e428.first[6], _e428.first[7], _e428.first[8], _e428.first[9], _e428.first[10], _e428.first[11], _e428.first[12], _e428.first[13], _e428.first[14], _e428.first[15], _e428.first[16], _e428.first[17], _e428.first[18], _e428.first[19], _e428.first[20], _e428.first[21], _e428.first[22], _e428.first[23], _e428.first[24], _e428.first[25], _e428.first[26], _e428.first[27], _e428.first[28], _e428.first[29], _e428.first[30], _e428.first[31]), array<u32, 32>(_e428.mask[0], _e428.mask[1], _e428.mask[2], _e428.mask[3], _e428.mask[4], _e428.mask[5], _e428.mask[6], _e428.mask[7], _e428.mask[8], _e428.mask[9], _e428.mask[10], _e428.mask[11], _e428.mask[12], _e428.mask[13], _e428.mask[14], _e428.mask[15], _e428.mask[16], _e428.mask[17], _e428.mask[18], _e428.mask[19], _e428.mask[20], _e428.mask[21], _e428.mask[22], _e428.mask[23], _e428.mask[24], _e428.mask[25], _e428.mask[26], _e428.mask[27], _e428.mask[28], _e428.mask[29], _e428.mask[30], _e428.mask[31]), _e428.len, _e428.group, _e428.group_mask);
+                let _e502 = local_1.group_mask;
+                if ((_e502 & 4278190080u) == 0u) {
+                    let _e506 = local_1.len;
+                    if (_e506 == 0u) {
+                        phi_1150_ = false;
                     } else {
-                        let _e507 = local_3.len;
-                        local_3.len = (_e507 - 1u);
-                        let _e510 = local_3.len;
-                        if (_e510 < 32u) {
+                        let _e510 = local_1.len;
+                        local_1.len = (_e510 - 1u);
+                        let _e513 = local_1.len;
+                        if (_e513 < 32u) {
                         } else {
                             return;
                         }
-                        let _e515 = local_3.first[(0u + _e510)];
-                        local_3.group = _e515;
-                        let _e518 = local_3.len;
-                        if (_e518 < 32u) {
+                        let _e518 = local_1.first[(0u + _e513)];
+                        local_1.group = _e518;
+                        let _e521 = local_1.len;
+                        if (_e521 < 32u) {
                         } else {
                             return;
                         }
-                        let _e523 = local_3.mask[(0u + _e518)];
-                        local_3.group_mask = _e523;
-                        phi_1233_ = true;
+                        let _e526 = local_1.mask[(0u + _e521)];
+                        local_1.group_mask = _e526;
+                        phi_1150_ = true;
                     }
-                    let _e526 = phi_1233_;
-                    phi_1234_ = _e526;
+                    let _e529 = phi_1150_;
+                    phi_1151_ = _e529;
                 } else {
-                    phi_1234_ = true;
+                    phi_1151_ = true;
                 }
-                let _e528 = phi_1234_;
-                if _e528 {
-                    let _e530 = local_3.group_mask;
-                    let _e536 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e530)), 32u, (_e530 == 0u)));
-                    let _e540 = local_3.group_mask;
-                    let _e554 = local_3.group_mask;
-                    local_3.group_mask = (_e554 & ~((1u << bitcast<u32>((_e536 & 31u)))));
-                    let _e557 = local_3.group;
-                    phi_1265_ = (_e557 + countOneBits(((_e540 & ~((4294967295u << bitcast<u32>((((_e536 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e531 = phi_1151_;
+                if _e531 {
+                    let _e533 = local_1.group_mask;
+                    let _e539 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e533)), 32u, (_e533 == 0u)));
+                    let _e543 = local_1.group_mask;
+                    let _e557 = local_1.group_mask;
+                    local_1.group_mask = (_e557 & ~((1u << bitcast<u32>((_e539 & 31u)))));
+                    let _e560 = local_1.group;
+                    phi_1182_ = (_e560 + countOneBits(((_e543 & ~((4294967295u << bitcast<u32>((((_e539 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1265_ = 4294967295u;
+                    phi_1182_ = 4294967295u;
                 }
-                let _e560 = phi_1265_;
-                phi_1267_ = _e149;
-                phi_1270_ = _e560;
+                let _e563 = phi_1182_;
+                phi_1184_ = _e152;
+                phi_1187_ = _e563;
                 loop {
-                    let _e562 = phi_1267_;
-                    let _e564 = phi_1270_;
-                    local_8 = _e562;
-                    let _e565 = (_e564 != 4294967295u);
-                    if _e565 {
-                        if (_e564 < _e71) {
+                    let _e565 = phi_1184_;
+                    let _e567 = phi_1187_;
+                    local_6 = _e565;
+                    let _e568 = (_e567 != 4294967295u);
+                    if _e568 {
+                        if (_e567 < _e74) {
                         } else {
                             return;
                         }
-                        let _e573 = nodes.member[(0u + _e564)].frame[3u];
-                        let _e598 = (bitcast<f32>((((_e573 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e301);
-                        let _e599 = (bitcast<f32>((((_e573 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
-                        let _e600 = (bitcast<f32>((((_e573 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
-                        let _e603 = nodes.member[(0u + _e564)].frame[0u];
-                        let _e607 = nodes.member[(0u + _e564)].frame[1u];
-                        let _e611 = nodes.member[(0u + _e564)].frame[2u];
-                        let _e619 = ((bitcast<f32>(_e603) - _e147.origin.x) * _e301);
-                        let _e620 = ((bitcast<f32>(_e607) - _e147.origin.y) * _e313);
-                        let _e621 = ((bitcast<f32>(_e611) - _e147.origin.z) * _e325);
-                        let _e629 = nodes.member[(0u + _e564)].x;
-                        if (_e301 < 0f) {
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.unnamed.root, _e629.w), _e640.unnamed_1);
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e629.x, _e646.unnamed_1.first_primitive));
-                            phi_1355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e652.unnamed_1.root, _e629.y));
+                        let _e576 = nodes.member[(0u + _e567)].frame[3u];
+                        let _e601 = (bitcast<f32>((((_e576 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
+                        let _e602 = (bitcast<f32>((((_e576 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
+                        let _e603 = (bitcast<f32>((((_e576 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
+                        let _e606 = nodes.member[(0u + _e567)].frame[0u];
+                        let _e610 = nodes.member[(0u + _e567)].frame[1u];
+                        let _e614 = nodes.member[(0u + _e567)].frame[2u];
+                        let _e622 = ((bitcast<f32>(_e606) - _e150.origin.x) * _e304);
+                        let _e623 = ((bitcast<f32>(_e610) - _e150.origin.y) * _e316);
+                        let _e624 = ((bitcast<f32>(_e614) - _e150.origin.z) * _e328);
+                        let _e632 = nodes.member[(0u + _e567)].x;
+                        if (_e304 < 0f) {
+                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e643.unnamed.root, _e632.w), _e643.unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e632.x, _e649.unnamed_1.first_primitive));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e655.unnamed_1.root, _e632.y));
                         } else {
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.unnamed.root, _e629.y), _e668.unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e629.z, _e674.unnamed_1.first_primitive));
-                            phi_1355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e680.unnamed_1.root, _e629.w));
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.unnamed.root, _e632.y), _e671.unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e632.z, _e677.unnamed_1.first_primitive));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e683.unnamed_1.root, _e632.w));
                         }
-                        let _e688 = phi_1355_;
-                        let _e698 = nodes.member[(0u + _e564)].y;
-                        if (_e313 < 0f) {
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e698.w), _e709.unnamed_1);
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e698.x, _e715.unnamed_1.first_primitive));
-                            phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e698.y));
+                        let _e691 = phi_1272_;
+                        let _e701 = nodes.member[(0u + _e567)].y;
+                        if (_e316 < 0f) {
+                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.unnamed.root, _e701.w), _e712.unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e701.x, _e718.unnamed_1.first_primitive));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e724.unnamed_1.root, _e701.y));
                         } else {
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.unnamed.root, _e698.y), _e737.unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e698.z, _e743.unnamed_1.first_primitive));
-                            phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e749.unnamed_1.root, _e698.w));
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e740.unnamed.root, _e701.y), _e740.unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e701.z, _e746.unnamed_1.first_primitive));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e752.unnamed_1.root, _e701.w));
                         }
-                        let _e757 = phi_1382_;
-                        let _e767 = nodes.member[(0u + _e564)].z;
-                        if (_e325 < 0f) {
-                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e767.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.unnamed.root, _e767.w), _e778.unnamed_1);
-                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_bvh_traverse_Tree(_e767.x, _e784.unnamed_1.first_primitive));
-                            phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_bvh_traverse_Tree(_e790.unnamed_1.root, _e767.y));
+                        let _e760 = phi_1299_;
+                        let _e770 = nodes.member[(0u + _e567)].z;
+                        if (_e328 < 0f) {
+                            let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e781.unnamed.root, _e770.w), _e781.unnamed_1);
+                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_bvh_traverse_Tree(_e770.x, _e787.unnamed_1.first_primitive));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e793.unnamed_1.root, _e770.y));
                         } else {
-                            let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e767.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e806.unnamed.root, _e767.y), _e806.unnamed_1);
-                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e812.unnamed, lt_bvh_traverse_Tree(_e767.z, _e812.unnamed_1.first_primitive));
-                            phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_bvh_traverse_Tree(_e818.unnamed_1.root, _e767.w));
+                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e809.unnamed.root, _e770.y), _e809.unnamed_1);
+                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e815.unnamed, lt_bvh_traverse_Tree(_e770.z, _e815.unnamed_1.first_primitive));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_bvh_traverse_Tree(_e821.unnamed_1.root, _e770.w));
                         }
-                        let _e826 = phi_1409_;
-                        phi_1415_ = 0u;
-                        phi_1418_ = 0u;
+                        let _e829 = phi_1326_;
+                        phi_1332_ = 0u;
+                        phi_1335_ = 0u;
                         loop {
-                            let _e836 = phi_1415_;
-                            let _e838 = phi_1418_;
-                            local_4 = _e838;
-                            local_5 = _e838;
-                            local_6 = _e838;
-                            let _e839 = (_e836 < 8u);
-                            if _e839 {
-                                let _e841 = (_e836 >> bitcast<u32>(2i));
-                                let _e842 = (_e836 & 3u);
-                                if (_e841 == 0u) {
-                                    phi_1432_ = _e688.unnamed.root;
+                            let _e839 = phi_1332_;
+                            let _e841 = phi_1335_;
+                            local_2 = _e841;
+                            local_3 = _e841;
+                            local_4 = _e841;
+                            let _e842 = (_e839 < 8u);
+                            if _e842 {
+                                let _e844 = (_e839 >> bitcast<u32>(2i));
+                                let _e845 = (_e839 & 3u);
+                                if (_e844 == 0u) {
+                                    phi_1349_ = _e691.unnamed.root;
                                 } else {
-                                    phi_1432_ = _e688.unnamed.first_primitive;
+                                    phi_1349_ = _e691.unnamed.first_primitive;
                                 }
-                                let _e845 = phi_1432_;
-                                if (_e841 == 0u) {
-                                    phi_1442_ = _e757.unnamed.root;
+                                let _e848 = phi_1349_;
+                                if (_e844 == 0u) {
+                                    phi_1359_ = _e760.unnamed.root;
                                 } else {
-                                    phi_1442_ = _e757.unnamed.first_primitive;
+                                    phi_1359_ = _e760.unnamed.first_primitive;
                                 }
-                                let _e854 = phi_1442_;
-                                if (_e841 == 0u) {
-                                    phi_1452_ = _e826.unnamed.root;
+                                let _e857 = phi_1359_;
+                                if (_e844 == 0u) {
+                                    phi_1369_ = _e829.unnamed.root;
                                 } else {
-                                    phi_1452_ = _e826.unnamed.first_primitive;
+                                    phi_1369_ = _e829.unnamed.first_primitive;
                                 }
-                                let _e863 = phi_1452_;
-                                let _e876 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e845 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e598) + (_e619 - _e362)), ((f32(((_e854 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e363)));
-                                let _e877 = core_intrinsics_maximum_number_nsz_f32_(_e876, ((f32(((_e863 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e600) + (_e621 - _e364)));
-                                if (_e841 == 0u) {
-                                    phi_1470_ = _e688.unnamed_1.root;
+                                let _e866 = phi_1369_;
+                                let _e879 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e848 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e601) + (_e622 - _e365)), ((f32(((_e857 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e366)));
+                                let _e880 = core_intrinsics_maximum_number_nsz_f32_(_e879, ((f32(((_e866 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e603) + (_e624 - _e367)));
+                                if (_e844 == 0u) {
+                                    phi_1387_ = _e691.unnamed_1.root;
                                 } else {
-                                    phi_1470_ = _e688.unnamed_1.first_primitive;
+                                    phi_1387_ = _e691.unnamed_1.first_primitive;
                                 }
-                                let _e880 = phi_1470_;
-                                if (_e841 == 0u) {
-                                    phi_1480_ = _e757.unnamed_1.root;
+                                let _e883 = phi_1387_;
+                                if (_e844 == 0u) {
+                                    phi_1397_ = _e760.unnamed_1.root;
                                 } else {
-                                    phi_1480_ = _e757.unnamed_1.first_primitive;
+                                    phi_1397_ = _e760.unnamed_1.first_primitive;
                                 }
-                                let _e889 = phi_1480_;
-                                if (_e841 == 0u) {
-                                    phi_1490_ = _e826.unnamed_1.root;
+                                let _e892 = phi_1397_;
+                                if (_e844 == 0u) {
+                                    phi_1407_ = _e829.unnamed_1.root;
                                 } else {
-                                    phi_1490_ = _e826.unnamed_1.first_primitive;
+                                    phi_1407_ = _e829.unnamed_1.first_primitive;
                                 }
-                                let _e898 = phi_1490_;
-                                let _e911 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e880 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e598) + (_e619 + _e362)), ((f32(((_e889 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e363)));
-                                let _e912 = core_intrinsics_minimum_number_nsz_f32_(_e911, ((f32(((_e898 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e600) + (_e621 + _e364)));
-                                if (_e877 <= _e912) {
-                                    if (_e877 <= _e562.t) {
-                                        if (_e912 >= _e147.tmin) {
-                                            if (_e841 == 0u) {
-                                                let _e919 = nodes.member[(0u + _e564)].links[2u];
-                                                phi_1526_ = _e919;
+                                let _e901 = phi_1407_;
+                                let _e914 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e883 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e601) + (_e622 + _e365)), ((f32(((_e892 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e366)));
+                                let _e915 = core_intrinsics_minimum_number_nsz_f32_(_e914, ((f32(((_e901 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e603) + (_e624 + _e367)));
+                                if (_e880 <= _e915) {
+                                    if (_e880 <= _e565.t) {
+                                        if (_e915 >= _e150.tmin) {
+                                            if (_e844 == 0u) {
+                                                let _e922 = nodes.member[(0u + _e567)].links[2u];
+                                                phi_1443_ = _e922;
                                             } else {
-                                                let _e922 = nodes.member[(0u + _e564)].links[3u];
-                                                phi_1526_ = _e922;
+                                                let _e925 = nodes.member[(0u + _e567)].links[3u];
+                                                phi_1443_ = _e925;
                                             }
-                                            let _e924 = phi_1526_;
-                                            let _e929 = ((_e924 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u);
-                                            let _e930 = (_e929 & 31u);
-                                            if (_e930 >= 24u) {
-                                                phi_1539_ = (24u + ((_e930 - 24u) ^ _e424));
+                                            let _e927 = phi_1443_;
+                                            let _e932 = ((_e927 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u);
+                                            let _e933 = (_e932 & 31u);
+                                            if (_e933 >= 24u) {
+                                                phi_1456_ = (24u + ((_e933 - 24u) ^ _e427));
                                             } else {
-                                                phi_1539_ = _e930;
+                                                phi_1456_ = _e933;
                                             }
-                                            let _e936 = phi_1539_;
-                                            phi_1544_ = (_e838 | ((_e929 >> bitcast<u32>(5i)) << bitcast<u32>((_e936 & 31u))));
+                                            let _e939 = phi_1456_;
+                                            phi_1461_ = (_e841 | ((_e932 >> bitcast<u32>(5i)) << bitcast<u32>((_e939 & 31u))));
                                         } else {
-                                            phi_1544_ = _e838;
+                                            phi_1461_ = _e841;
                                         }
-                                        let _e944 = phi_1544_;
-                                        phi_1545_ = _e944;
+                                        let _e947 = phi_1461_;
+                                        phi_1462_ = _e947;
                                     } else {
-                                        phi_1545_ = _e838;
+                                        phi_1462_ = _e841;
                                     }
-                                    let _e946 = phi_1545_;
-                                    phi_1546_ = _e946;
+                                    let _e949 = phi_1462_;
+                                    phi_1463_ = _e949;
                                 } else {
-                                    phi_1546_ = _e838;
+                                    phi_1463_ = _e841;
                                 }
-                                let _e948 = phi_1546_;
-                                phi_1416_ = (_e836 + 1u);
-                                phi_1419_ = _e948;
+                                let _e951 = phi_1463_;
+                                phi_1333_ = (_e839 + 1u);
+                                phi_1336_ = _e951;
                             } else {
-                                phi_1416_ = u32();
-                                phi_1419_ = u32();
+                                phi_1333_ = u32();
+                                phi_1336_ = u32();
                             }
-                            let _e951 = phi_1416_;
-                            let _e953 = phi_1419_;
+                            let _e954 = phi_1333_;
+                            let _e956 = phi_1336_;
                             continue;
                             continuing {
-                                phi_1415_ = _e951;
-                                phi_1418_ = _e953;
-                                break if !(_e839);
+                                phi_1332_ = _e954;
+                                phi_1335_ = _e956;
+                                break if !(_e842);
                             }
                         }
-                        let _e957 = nodes.member[(0u + _e564)].links[0u];
-                        let _e961 = nodes.member[(0u + _e564)].frame[3u];
-                        let _e965 = local_4;
-                        if ((_e965 & 4278190080u) == 0u) {
+                        let _e960 = nodes.member[(0u + _e567)].links[0u];
+                        let _e964 = nodes.member[(0u + _e567)].frame[3u];
+                        let _e968 = local_2;
+                        if ((_e968 & 4278190080u) == 0u) {
                         } else {
-                            let _e969 = local_3.group_mask;
-                            if ((_e969 & 4278190080u) == 0u) {
+                            let _e972 = local_1.group_mask;
+                            if ((_e972 & 4278190080u) == 0u) {
                             } else {
-                                let _e973 = local_3.len;
-                                if (_e973 < 32u) {
-                                    let _e976 = local_3.group;
-                                    let _e978 = local_3.len;
-                                    if (_e978 < 32u) {
+                                let _e976 = local_1.len;
+                                if (_e976 < 32u) {
+                                    let _e979 = local_1.group;
+                                    let _e981 = local_1.len;
+                                    if (_e981 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.first[(0u + _e978)] = _e976;
-                                    let _e984 = local_3.group_mask;
-                                    let _e986 = local_3.len;
-                                    if (_e986 < 32u) {
+                                    local_1.first[(0u + _e981)] = _e979;
+                                    let _e987 = local_1.group_mask;
+                                    let _e989 = local_1.len;
+                                    if (_e989 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.mask[(0u + _e986)] = _e984;
-                                    let _e993 = local_3.len;
-                                    local_3.len = (_e993 + 1u);
+                                    local_1.mask[(0u + _e989)] = _e987;
+                                    let _e996 = local_1.len;
+                                    local_1.len = (_e996 + 1u);
                                 }
                             }
-                            local_3.group = (0u + _e957);
-                            let _e997 = local_5;
-                            local_3.group_mask = ((_e997 & 4278190080u) | (_e961 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e960);
+                            let _e1000 = local_3;
+                            local_1.group_mask = ((_e1000 & 4278190080u) | (_e964 >> bitcast<u32>(24i)));
                         }
-                        let _e1002 = local_6;
-                        phi_1604_ = _e562;
-                        phi_1607_ = (_e1002 & 16777215u);
+                        let _e1005 = local_4;
+                        phi_1521_ = _e565;
+                        phi_1524_ = (_e1005 & 16777215u);
                         loop {
-                            let _e1005 = phi_1604_;
-                            let _e1007 = phi_1607_;
-                            local_7 = _e1005;
-                            if (_e1007 == 0u) {
-                                phi_1605_ = lt_bvh_Hit();
-                                phi_1608_ = u32();
-                                phi_2144_ = false;
+                            let _e1008 = phi_1521_;
+                            let _e1010 = phi_1524_;
+                            local_5 = _e1008;
+                            if (_e1010 == 0u) {
+                                phi_1522_ = lt_bvh_Hit();
+                                phi_1525_ = u32();
+                                phi_2084_ = false;
                             } else {
-                                let _e1011 = nodes.member[(0u + _e564)].links[1u];
-                                let _e1016 = ((0u + _e1011) + select(firstTrailingBit(_e1007), 32u, (_e1007 == 0u)));
-                                if (_e1016 < _e74) {
+                                let _e1014 = nodes.member[(0u + _e567)].links[1u];
+                                let _e1019 = ((0u + _e1014) + select(firstTrailingBit(_e1010), 32u, (_e1010 == 0u)));
+                                if (_e1019 < _e77) {
                                 } else {
                                     return;
                                 }
-                                let _e1023 = triangles.member[(0u + _e1016)].v0_;
-                                let _e1026 = (_e1023.x - _e147.origin.x);
-                                let _e1029 = (_e1023.y - _e147.origin.y);
-                                let _e1032 = (_e1023.z - _e147.origin.z);
-                                if (_e389 == 0u) {
-                                    phi_1654_ = vec3<f32>(_e1029, _e1032, _e1026);
+                                let _e1026 = triangles.member[(0u + _e1019)].v0_;
+                                let _e1029 = (_e1026.x - _e150.origin.x);
+                                let _e1032 = (_e1026.y - _e150.origin.y);
+                                let _e1035 = (_e1026.z - _e150.origin.z);
+                                if (_e392 == 0u) {
+                                    phi_1571_ = vec3<f32>(_e1032, _e1035, _e1029);
                                 } else {
-                                    if (_e389 == 1u) {
-                                        phi_1653_ = vec3<f32>(_e1032, _e1026, _e1029);
+                                    if (_e392 == 1u) {
+                                        phi_1570_ = vec3<f32>(_e1035, _e1029, _e1032);
                                     } else {
-                                        phi_1653_ = (_e1023 - _e147.origin);
+                                        phi_1570_ = (_e1026 - _e150.origin);
                                     }
-                                    let _e1039 = phi_1653_;
-                                    phi_1654_ = _e1039;
+                                    let _e1042 = phi_1570_;
+                                    phi_1571_ = _e1042;
                                 }
-                                let _e1041 = phi_1654_;
-                                let _e1045 = (_e1041.x - (_e408 * _e1041.z));
-                                let _e1049 = (_e1041.y - (_e411 * _e1041.z));
-                                let _e1053 = triangles.member[(0u + _e1016)].v1_;
-                                let _e1056 = (_e1053.x - _e147.origin.x);
-                                let _e1059 = (_e1053.y - _e147.origin.y);
-                                let _e1062 = (_e1053.z - _e147.origin.z);
-                                if (_e389 == 0u) {
-                                    phi_1688_ = vec3<f32>(_e1059, _e1062, _e1056);
+                                let _e1044 = phi_1571_;
+                                let _e1048 = (_e1044.x - (_e411 * _e1044.z));
+                                let _e1052 = (_e1044.y - (_e414 * _e1044.z));
+                                let _e1056 = triangles.member[(0u + _e1019)].v1_;
+                                let _e1059 = (_e1056.x - _e150.origin.x);
+                                let _e1062 = (_e1056.y - _e150.origin.y);
+                                let _e1065 = (_e1056.z - _e150.origin.z);
+                                if (_e392 == 0u) {
+                                    phi_1605_ = vec3<f32>(_e1062, _e1065, _e1059);
                                 } else {
-                                    if (_e389 == 1u) {
-                                        phi_1687_ = vec3<f32>(_e1062, _e1056, _e1059);
+                                    if (_e392 == 1u) {
+                                        phi_1604_ = vec3<f32>(_e1065, _e1059, _e1062);
                                     } else {
-                                        phi_1687_ = (_e1053 - _e147.origin);
+                                        phi_1604_ = (_e1056 - _e150.origin);
                                     }
-                                    let _e1069 = phi_1687_;
-                                    phi_1688_ = _e1069;
+                                    let _e1072 = phi_1604_;
+                                    phi_1605_ = _e1072;
                                 }
-                                let _e1071 = phi_1688_;
-                                let _e1075 = (_e1071.x - (_e408 * _e1071.z));
-                                let _e1079 = (_e1071.y - (_e411 * _e1071.z));
-                                let _e1083 = triangles.member[(0u + _e1016)].v2_;
-                                let _e1086 = (_e1083.x - _e147.origin.x);
-                                let _e1089 = (_e1083.y - _e147.origin.y);
-                                let _e1092 = (_e1083.z - _e147.origin.z);
-                                if (_e389 == 0u) {
-                                    phi_1722_ = vec3<f32>(_e1089, _e1092, _e1086);
+                                let _e1074 = phi_1605_;
+                                let _e1078 = (_e1074.x - (_e411 * _e1074.z));
+                                let _e1082 = (_e1074.y - (_e414 * _e1074.z));
+                                let _e1086 = triangles.member[(0u + _e1019)].v2_;
+                                let _e1089 = (_e1086.x - _e150.origin.x);
+                                let _e1092 = (_e1086.y - _e150.origin.y);
+                                let _e1095 = (_e1086.z - _e150.origin.z);
+                                if (_e392 == 0u) {
+                                    phi_1639_ = vec3<f32>(_e1092, _e1095, _e1089);
                                 } else {
-                                    if (_e389 == 1u) {
-                                        phi_1721_ = vec3<f32>(_e1092, _e1086, _e1089);
+                                    if (_e392 == 1u) {
+                                        phi_1638_ = vec3<f32>(_e1095, _e1089, _e1092);
                                     } else {
-                                        phi_1721_ = (_e1083 - _e147.origin);
+                                        phi_1638_ = (_e1086 - _e150.origin);
                                     }
-                                    let _e1099 = phi_1721_;
-                                    phi_1722_ = _e1099;
+                                    let _e1102 = phi_1638_;
+                                    phi_1639_ = _e1102;
                                 }
-                                let _e1101 = phi_1722_;
-                                let _e1105 = (_e1101.x - (_e408 * _e1101.z));
-                                let _e1109 = (_e1101.y - (_e411 * _e1101.z));
-                                if (_e1075 < _e1105) {
-                                    phi_1743_ = true;
+                                let _e1104 = phi_1639_;
+                                let _e1108 = (_e1104.x - (_e411 * _e1104.z));
+                                let _e1112 = (_e1104.y - (_e414 * _e1104.z));
+                                if (_e1078 < _e1108) {
+                                    phi_1660_ = true;
                                 } else {
-                                    if (_e1075 == _e1105) {
-                                        phi_1742_ = (_e1079 < _e1109);
+                                    if (_e1078 == _e1108) {
+                                        phi_1659_ = (_e1082 < _e1112);
                                     } else {
-                                        phi_1742_ = false;
+                                        phi_1659_ = false;
                                     }
-                                    let _e1116 = phi_1742_;
-                                    phi_1743_ = _e1116;
+                                    let _e1119 = phi_1659_;
+                                    phi_1660_ = _e1119;
                                 }
-                                let _e1118 = phi_1743_;
-                                if _e1118 {
-                                    phi_1747_ = _e1109;
-                                    phi_1748_ = _e1105;
-                                    phi_1749_ = _e1079;
-                                    phi_1750_ = _e1075;
+                                let _e1121 = phi_1660_;
+                                if _e1121 {
+                                    phi_1664_ = _e1112;
+                                    phi_1665_ = _e1108;
+                                    phi_1666_ = _e1082;
+                                    phi_1667_ = _e1078;
                                 } else {
-                                    phi_1747_ = _e1079;
-                                    phi_1748_ = _e1075;
-                                    phi_1749_ = _e1109;
-                                    phi_1750_ = _e1105;
+                                    phi_1664_ = _e1082;
+                                    phi_1665_ = _e1078;
+                                    phi_1666_ = _e1112;
+                                    phi_1667_ = _e1108;
                                 }
-                                let _e1120 = phi_1747_;
-                                let _e1122 = phi_1748_;
-                                let _e1124 = phi_1749_;
-                                let _e1126 = phi_1750_;
-                                let _e1129 = ((_e1126 * _e1120) - (_e1124 * _e1122));
-                                if _e1118 {
-                                    phi_1758_ = -(_e1129);
+                                let _e1123 = phi_1664_;
+                                let _e1125 = phi_1665_;
+                                let _e1127 = phi_1666_;
+                                let _e1129 = phi_1667_;
+                                let _e1132 = ((_e1129 * _e1123) - (_e1127 * _e1125));
+                                if _e1121 {
+                                    phi_1675_ = -(_e1132);
                                 } else {
-                                    phi_1758_ = _e1129;
+                                    phi_1675_ = _e1132;
                                 }
-                                let _e1132 = phi_1758_;
-                                if (_e1105 < _e1045) {
-                                    phi_1769_ = true;
+                                let _e1135 = phi_1675_;
+                                if (_e1108 < _e1048) {
+                                    phi_1686_ = true;
                                 } else {
-                                    if (_e1105 == _e1045) {
-                                        phi_1768_ = (_e1109 < _e1049);
+                                    if (_e1108 == _e1048) {
+                                        phi_1685_ = (_e1112 < _e1052);
                                     } else {
-                                        phi_1768_ = false;
+                                        phi_1685_ = false;
                                     }
-                                    let _e1137 = phi_1768_;
-                                    phi_1769_ = _e1137;
+                                    let _e1140 = phi_1685_;
+                                    phi_1686_ = _e1140;
                                 }
-                                let _e1139 = phi_1769_;
-                                if _e1139 {
-                                    phi_1773_ = _e1049;
-                                    phi_1774_ = _e1045;
-                                    phi_1775_ = _e1109;
-                                    phi_1776_ = _e1105;
+                                let _e1142 = phi_1686_;
+                                if _e1142 {
+                                    phi_1690_ = _e1052;
+                                    phi_1691_ = _e1048;
+                                    phi_1692_ = _e1112;
+                                    phi_1693_ = _e1108;
                                 } else {
-                                    phi_1773_ = _e1109;
-                                    phi_1774_ = _e1105;
-                                    phi_1775_ = _e1049;
-                                    phi_1776_ = _e1045;
+                                    phi_1690_ = _e1112;
+                                    phi_1691_ = _e1108;
+                                    phi_1692_ = _e1052;
+                                    phi_1693_ = _e1048;
                                 }
-                                let _e1141 = phi_1773_;
-                                let _e1143 = phi_1774_;
-                                let _e1145 = phi_1775_;
-                                let _e1147 = phi_1776_;
-                                let _e1150 = ((_e1147 * _e1141) - (_e1145 * _e1143));
-                                if _e1139 {
-                                    phi_1784_ = -(_e1150);
+                                let _e1144 = phi_1690_;
+                                let _e1146 = phi_1691_;
+                                let _e1148 = phi_1692_;
+                                let _e1150 = phi_1693_;
+                                let _e1153 = ((_e1150 * _e1144) - (_e1148 * _e1146));
+                                if _e1142 {
+                                    phi_1701_ = -(_e1153);
                                 } else {
-                                    phi_1784_ = _e1150;
+                                    phi_1701_ = _e1153;
                                 }
-                                let _e1153 = phi_1784_;
-                                if (_e1045 < _e1075) {
-                                    phi_1795_ = true;
+                                let _e1156 = phi_1701_;
+                                if (_e1048 < _e1078) {
+                                    phi_1712_ = true;
                                 } else {
-                                    if (_e1045 == _e1075) {
-                                        phi_1794_ = (_e1049 < _e1079);
+                                    if (_e1048 == _e1078) {
+                                        phi_1711_ = (_e1052 < _e1082);
                                     } else {
-                                        phi_1794_ = false;
+                                        phi_1711_ = false;
                                     }
-                                    let _e1158 = phi_1794_;
-                                    phi_1795_ = _e1158;
+                                    let _e1161 = phi_1711_;
+                                    phi_1712_ = _e1161;
                                 }
-                                let _e1160 = phi_1795_;
-                                if _e1160 {
-                                    phi_1799_ = _e1079;
-                                    phi_1800_ = _e1075;
-                                    phi_1801_ = _e1049;
-                                    phi_1802_ = _e1045;
+                                let _e1163 = phi_1712_;
+                                if _e1163 {
+                                    phi_1716_ = _e1082;
+                                    phi_1717_ = _e1078;
+                                    phi_1718_ = _e1052;
+                                    phi_1719_ = _e1048;
                                 } else {
-                                    phi_1799_ = _e1049;
-                                    phi_1800_ = _e1045;
-                                    phi_1801_ = _e1079;
-                                    phi_1802_ = _e1075;
+                                    phi_1716_ = _e1052;
+                                    phi_1717_ = _e1048;
+                                    phi_1718_ = _e1082;
+                                    phi_1719_ = _e1078;
                                 }
-                                let _e1162 = phi_1799_;
-                                let _e1164 = phi_1800_;
-                                let _e1166 = phi_1801_;
-                                let _e1168 = phi_1802_;
-                                let _e1171 = ((_e1168 * _e1162) - (_e1166 * _e1164));
-                                if _e1160 {
-                                    phi_1810_ = -(_e1171);
+                                let _e1165 = phi_1716_;
+                                let _e1167 = phi_1717_;
+                                let _e1169 = phi_1718_;
+                                let _e1171 = phi_1719_;
+                                let _e1174 = ((_e1171 * _e1165) - (_e1169 * _e1167));
+                                if _e1163 {
+                                    phi_1727_ = -(_e1174);
                                 } else {
-                                    phi_1810_ = _e1171;
+                                    phi_1727_ = _e1174;
                                 }
-                                let _e1174 = phi_1810_;
-                                if (_e1132 >= 0f) {
-                                    if (_e1153 >= 0f) {
-                                        if (_e1174 >= 0f) {
-                                            phi_1825_ = ((_e1132 + _e1153) + _e1174);
-                                            phi_1826_ = false;
+                                let _e1177 = phi_1727_;
+                                if (_e1135 >= 0f) {
+                                    if (_e1156 >= 0f) {
+                                        if (_e1177 >= 0f) {
+                                            phi_1742_ = ((_e1135 + _e1156) + _e1177);
+                                            phi_1743_ = false;
                                         } else {
-                                            phi_1825_ = f32();
-                                            phi_1826_ = true;
+                                            phi_1742_ = f32();
+                                            phi_1743_ = true;
                                         }
-                                        let _e1181 = phi_1825_;
-                                        let _e1183 = phi_1826_;
-                                        phi_1827_ = _e1181;
-                                        phi_1828_ = _e1183;
+                                        let _e1184 = phi_1742_;
+                                        let _e1186 = phi_1743_;
+                                        phi_1744_ = _e1184;
+                                        phi_1745_ = _e1186;
                                     } else {
-                                        phi_1827_ = f32();
-                                        phi_1828_ = true;
+                                        phi_1744_ = f32();
+                                        phi_1745_ = true;
                                     }
-                                    let _e1185 = phi_1827_;
-                                    let _e1187 = phi_1828_;
-                                    phi_1829_ = _e1185;
-                                    phi_1830_ = _e1187;
+                                    let _e1188 = phi_1744_;
+                                    let _e1190 = phi_1745_;
+                                    phi_1746_ = _e1188;
+                                    phi_1747_ = _e1190;
                                 } else {
-                                    phi_1829_ = f32();
-                                    phi_1830_ = true;
+                                    phi_1746_ = f32();
+                                    phi_1747_ = true;
                                 }
-                                let _e1189 = phi_1829_;
-                                let _e1191 = phi_1830_;
-                                if _e1191 {
-                                    if (_e1132 <= 0f) {
-                                        if (_e1153 <= 0f) {
-                                            let _e1194 = (_e1174 <= 0f);
-                                            if _e1194 {
+                                let _e1192 = phi_1746_;
+                                let _e1194 = phi_1747_;
+                                if _e1194 {
+                                    if (_e1135 <= 0f) {
+                                        if (_e1156 <= 0f) {
+                                            let _e1197 = (_e1177 <= 0f);
+                                            if _e1197 {
                                             }
-                                            phi_1848_ = ((_e1132 + _e1153) + _e1174);
-                                            phi_1849_ = false;
-                                            phi_1850_ = _e1194;
+                                            phi_1765_ = ((_e1135 + _e1156) + _e1177);
+                                            phi_1766_ = false;
+                                            phi_1767_ = _e1197;
                                         } else {
-                                            phi_1848_ = f32();
-                                            phi_1849_ = true;
-                                            phi_1850_ = false;
+                                            phi_1765_ = f32();
+                                            phi_1766_ = true;
+                                            phi_1767_ = false;
                                         }
-                                        let _e1198 = phi_1848_;
-                                        let _e1200 = phi_1849_;
-                                        let _e1202 = phi_1850_;
-                                        phi_1851_ = _e1198;
-                                        phi_1852_ = _e1200;
-                                        phi_1853_ = _e1202;
+                                        let _e1201 = phi_1765_;
+                                        let _e1203 = phi_1766_;
+                                        let _e1205 = phi_1767_;
+                                        phi_1768_ = _e1201;
+                                        phi_1769_ = _e1203;
+                                        phi_1770_ = _e1205;
                                     } else {
-                                        phi_1851_ = f32();
-                                        phi_1852_ = true;
-                                        phi_1853_ = false;
+                                        phi_1768_ = f32();
+                                        phi_1769_ = true;
+                                        phi_1770_ = false;
                                     }
-                                    let _e1204 = phi_1851_;
-                                    let _e1206 = phi_1852_;
-                                    let _e1208 = phi_1853_;
-                                    if _e1206 {
-                                        phi_1857_ = false;
+                                    let _e1207 = phi_1768_;
+                                    let _e1209 = phi_1769_;
+                                    let _e1211 = phi_1770_;
+                                    if _e1209 {
+                                        phi_1774_ = false;
                                     } else {
-                                        phi_1857_ = _e1208;
+                                        phi_1774_ = _e1211;
                                     }
-                                    let _e1210 = phi_1857_;
-                                    phi_1858_ = _e1204;
-                                    phi_1859_ = _e1210;
+                                    let _e1213 = phi_1774_;
+                                    phi_1775_ = _e1207;
+                                    phi_1776_ = _e1213;
                                 } else {
-                                    phi_1858_ = _e1189;
-                                    phi_1859_ = true;
+                                    phi_1775_ = _e1192;
+                                    phi_1776_ = true;
                                 }
-                                let _e1212 = phi_1858_;
-                                let _e1214 = phi_1859_;
-                                if _e1214 {
-                                    let _e1215 = (_e1212 == 0f);
-                                    if _e1215 {
-                                        phi_2063_ = lt_bvh_triangle_Intersection();
+                                let _e1215 = phi_1775_;
+                                let _e1217 = phi_1776_;
+                                if _e1217 {
+                                    let _e1218 = (_e1215 == 0f);
+                                    if _e1218 {
+                                        phi_1997_ = lt_bvh_triangle_Intersection();
+                                        phi_1998_ = false;
                                     } else {
-                                        let _e1221 = ((((_e1132 * (_e413 * _e1041.z)) + (_e1153 * (_e413 * _e1071.z))) + (_e1174 * (_e413 * _e1101.z))) / _e1212);
-                                        let _e1223 = triangles.member[(0u + _e1016)].v0_;
-                                        let _e1225 = triangles.member[(0u + _e1016)].v1_;
-                                        if (_e1223.x < _e1225.x) {
-                                            phi_1885_ = _e1223.x;
-                                        } else {
-                                            phi_1885_ = _e1225.x;
-                                        }
-                                        let _e1232 = phi_1885_;
-                                        if (_e1223.y < _e1225.y) {
-                                            phi_1894_ = _e1223.y;
-                                        } else {
-                                            phi_1894_ = _e1225.y;
-                                        }
-                                        let _e1239 = phi_1894_;
-                                        if (_e1223.z < _e1225.z) {
-                                            phi_1903_ = _e1223.z;
-                                        } else {
-                                            phi_1903_ = _e1225.z;
-                                        }
-                                        let _e1246 = phi_1903_;
-                                        let _e1248 = triangles.member[(0u + _e1016)].v2_;
-                                        if (_e1232 < _e1248.x) {
-                                            phi_1912_ = _e1232;
-                                        } else {
-                                            phi_1912_ = _e1248.x;
-                                        }
-                                        let _e1253 = phi_1912_;
-                                        if (_e1239 < _e1248.y) {
-                                            phi_1919_ = _e1239;
-                                        } else {
-                                            phi_1919_ = _e1248.y;
-                                        }
-                                        let _e1258 = phi_1919_;
-                                        if (_e1246 < _e1248.z) {
-                                            phi_1926_ = _e1246;
-                                        } else {
-                                            phi_1926_ = _e1248.z;
-                                        }
-                                        let _e1263 = phi_1926_;
-                                        let _e1265 = triangles.member[(0u + _e1016)].v0_;
-                                        let _e1267 = triangles.member[(0u + _e1016)].v1_;
-                                        if (_e1265.x > _e1267.x) {
-                                            phi_1939_ = _e1265.x;
-                                        } else {
-                                            phi_1939_ = _e1267.x;
-                                        }
-                                        let _e1274 = phi_1939_;
-                                        if (_e1265.y > _e1267.y) {
-                                            phi_1948_ = _e1265.y;
-                                        } else {
-                                            phi_1948_ = _e1267.y;
-                                        }
-                                        let _e1281 = phi_1948_;
-                                        if (_e1265.z > _e1267.z) {
-                                            phi_1957_ = _e1265.z;
-                                        } else {
-                                            phi_1957_ = _e1267.z;
-                                        }
-                                        let _e1288 = phi_1957_;
-                                        let _e1290 = triangles.member[(0u + _e1016)].v2_;
-                                        if (_e1274 > _e1290.x) {
-                                            phi_1966_ = _e1274;
-                                        } else {
-                                            phi_1966_ = _e1290.x;
-                                        }
-                                        let _e1295 = phi_1966_;
-                                        if (_e1281 > _e1290.y) {
-                                            phi_1973_ = _e1281;
-                                        } else {
-                                            phi_1973_ = _e1290.y;
-                                        }
-                                        let _e1300 = phi_1973_;
-                                        if (_e1288 > _e1290.z) {
-                                            phi_1980_ = _e1288;
-                                        } else {
-                                            phi_1980_ = _e1290.z;
-                                        }
-                                        let _e1305 = phi_1980_;
-                                        let _e1312 = ((_e1253 - _e147.origin.x) * _e301);
-                                        let _e1313 = ((_e1258 - _e147.origin.y) * _e313);
-                                        let _e1314 = ((_e1263 - _e147.origin.z) * _e325);
-                                        let _e1321 = ((_e1295 - _e147.origin.x) * _e301);
-                                        let _e1322 = ((_e1300 - _e147.origin.y) * _e313);
-                                        let _e1323 = ((_e1305 - _e147.origin.z) * _e325);
-                                        if (_e1312 < _e1321) {
-                                            phi_2003_ = _e1312;
-                                        } else {
-                                            phi_2003_ = _e1321;
-                                        }
-                                        let _e1326 = phi_2003_;
-                                        if (_e1313 < _e1322) {
-                                            phi_2008_ = _e1313;
-                                        } else {
-                                            phi_2008_ = _e1322;
-                                        }
-                                        let _e1329 = phi_2008_;
-                                        if (_e1314 < _e1323) {
-                                            phi_2013_ = _e1314;
-                                        } else {
-                                            phi_2013_ = _e1323;
-                                        }
-                                        let _e1332 = phi_2013_;
-                                        if (_e1312 > _e1321) {
-                                            phi_2021_ = _e1312;
-                                        } else {
-                                            phi_2021_ = _e1321;
-                                        }
-                                        let _e1338 = phi_2021_;
-                                        if (_e1313 > _e1322) {
-                                            phi_2026_ = _e1313;
-                                        } else {
-                                            phi_2026_ = _e1322;
-                                        }
-                                        let _e1341 = phi_2026_;
-                                        if (_e1314 > _e1323) {
-                                            phi_2031_ = _e1314;
-                                        } else {
-                                            phi_2031_ = _e1323;
-                                        }
-                                        let _e1344 = phi_2031_;
-                                        let _e1348 = core_intrinsics_maximum_number_nsz_f32_((_e1326 - _e369), (_e1329 - _e370));
-                                        let _e1349 = core_intrinsics_maximum_number_nsz_f32_(_e1348, (_e1332 - _e371));
-                                        let _e1350 = core_intrinsics_minimum_number_nsz_f32_((_e1338 + _e369), (_e1341 + _e370));
-                                        let _e1351 = core_intrinsics_minimum_number_nsz_f32_(_e1350, (_e1344 + _e371));
-                                        if (_e1349 > -300000000000000000000000000000000000000f) {
-                                            phi_2043_ = _e1349;
-                                        } else {
-                                            phi_2043_ = -300000000000000000000000000000000000000f;
-                                        }
-                                        let _e1354 = phi_2043_;
-                                        if (_e1351 < 300000000000000000000000000000000000000f) {
-                                            phi_2048_ = _e1351;
-                                        } else {
-                                            phi_2048_ = 300000000000000000000000000000000000000f;
-                                        }
-                                        let _e1357 = phi_2048_;
-                                        if (_e1221 < _e1354) {
-                                            phi_2053_ = _e1354;
-                                        } else {
-                                            phi_2053_ = _e1221;
-                                        }
-                                        let _e1360 = phi_2053_;
-                                        if (_e1360 > _e1357) {
-                                            phi_2058_ = _e1357;
-                                        } else {
-                                            phi_2058_ = _e1360;
-                                        }
-                                        let _e1363 = phi_2058_;
-                                        phi_2063_ = lt_bvh_triangle_Intersection(_e1363, (_e1153 / _e1212), (_e1174 / _e1212), (_e1354 <= _e1357));
-                                    }
-                                    let _e1369 = phi_2063_;
-                                    phi_2064_ = _e1369;
-                                    phi_2065_ = _e1215;
-                                } else {
-                                    phi_2064_ = lt_bvh_triangle_Intersection();
-                                    phi_2065_ = true;
-                                }
-                                let _e1371 = phi_2064_;
-                                let _e1373 = phi_2065_;
-                                if _e1373 {
-                                    phi_2069_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_2069_ = _e1371;
-                                }
-                                let _e1375 = phi_2069_;
-                                if _e1375.is_hit {
-                                    if (_e1375.t > _e147.tmin) {
-                                        if (_e1375.t < _e1005.t) {
-                                            phi_2118_ = true;
-                                        } else {
-                                            if (_e1375.t == _e1005.t) {
-                                                if (_e1005.triangle != 4294967295u) {
-                                                    if (_e1016 < _e1005.triangle) {
-                                                        phi_2109_ = true;
-                                                    } else {
-                                                        if (_e1016 == _e1005.triangle) {
-                                                            phi_2108_ = (4294967295u < _e1005.instance);
-                                                        } else {
-                                                            phi_2108_ = false;
-                                                        }
-                                                        let _e1394 = phi_2108_;
-                                                        phi_2109_ = _e1394;
-                                                    }
-                                                    let _e1396 = phi_2109_;
-                                                    phi_2110_ = _e1396;
-                                                    phi_2111_ = false;
+                                        let _e1224 = ((((_e1135 * (_e416 * _e1044.z)) + (_e1156 * (_e416 * _e1074.z))) + (_e1177 * (_e416 * _e1104.z))) / _e1215);
+                                        if (_e1224 > _e150.tmin) {
+                                            if (_e1224 < _e150.tmax) {
+                                                let _e1230 = triangles.member[(0u + _e1019)].v0_;
+                                                let _e1232 = triangles.member[(0u + _e1019)].v1_;
+                                                if (_e1230.x < _e1232.x) {
+                                                    phi_1812_ = _e1230.x;
                                                 } else {
-                                                    phi_2110_ = bool();
-                                                    phi_2111_ = true;
+                                                    phi_1812_ = _e1232.x;
                                                 }
-                                                let _e1398 = phi_2110_;
-                                                let _e1400 = phi_2111_;
-                                                phi_2112_ = _e1398;
-                                                phi_2113_ = _e1400;
+                                                let _e1239 = phi_1812_;
+                                                if (_e1230.y < _e1232.y) {
+                                                    phi_1821_ = _e1230.y;
+                                                } else {
+                                                    phi_1821_ = _e1232.y;
+                                                }
+                                                let _e1246 = phi_1821_;
+                                                if (_e1230.z < _e1232.z) {
+                                                    phi_1830_ = _e1230.z;
+                                                } else {
+                                                    phi_1830_ = _e1232.z;
+                                                }
+                                                let _e1253 = phi_1830_;
+                                                let _e1255 = triangles.member[(0u + _e1019)].v2_;
+                                                if (_e1239 < _e1255.x) {
+                                                    phi_1839_ = _e1239;
+                                                } else {
+                                                    phi_1839_ = _e1255.x;
+                                                }
+                                                let _e1260 = phi_1839_;
+                                                if (_e1246 < _e1255.y) {
+                                                    phi_1846_ = _e1246;
+                                                } else {
+                                                    phi_1846_ = _e1255.y;
+                                                }
+                                                let _e1265 = phi_1846_;
+                                                if (_e1253 < _e1255.z) {
+                                                    phi_1853_ = _e1253;
+                                                } else {
+                                                    phi_1853_ = _e1255.z;
+                                                }
+                                                let _e1270 = phi_1853_;
+                                                let _e1272 = triangles.member[(0u + _e1019)].v0_;
+                                                let _e1274 = triangles.member[(0u + _e1019)].v1_;
+                                                if (_e1272.x > _e1274.x) {
+                                                    phi_1866_ = _e1272.x;
+                                                } else {
+                                                    phi_1866_ = _e1274.x;
+                                                }
+                                                let _e1281 = phi_1866_;
+                                                if (_e1272.y > _e1274.y) {
+                                                    phi_1875_ = _e1272.y;
+                                                } else {
+                                                    phi_1875_ = _e1274.y;
+                                                }
+                                                let _e1288 = phi_1875_;
+                                                if (_e1272.z > _e1274.z) {
+                                                    phi_1884_ = _e1272.z;
+                                                } else {
+                                                    phi_1884_ = _e1274.z;
+                                                }
+                                                let _e1295 = phi_1884_;
+                                                let _e1297 = triangles.member[(0u + _e1019)].v2_;
+                                                if (_e1281 > _e1297.x) {
+                                                    phi_1893_ = _e1281;
+                                                } else {
+                                                    phi_1893_ = _e1297.x;
+                                                }
+                                                let _e1302 = phi_1893_;
+                                                if (_e1288 > _e1297.y) {
+                                                    phi_1900_ = _e1288;
+                                                } else {
+                                                    phi_1900_ = _e1297.y;
+                                                }
+                                                let _e1307 = phi_1900_;
+                                                if (_e1295 > _e1297.z) {
+                                                    phi_1907_ = _e1295;
+                                                } else {
+                                                    phi_1907_ = _e1297.z;
+                                                }
+                                                let _e1312 = phi_1907_;
+                                                let _e1319 = ((_e1260 - _e150.origin.x) * _e304);
+                                                let _e1320 = ((_e1265 - _e150.origin.y) * _e316);
+                                                let _e1321 = ((_e1270 - _e150.origin.z) * _e328);
+                                                let _e1328 = ((_e1302 - _e150.origin.x) * _e304);
+                                                let _e1329 = ((_e1307 - _e150.origin.y) * _e316);
+                                                let _e1330 = ((_e1312 - _e150.origin.z) * _e328);
+                                                if (_e1319 < _e1328) {
+                                                    phi_1930_ = _e1319;
+                                                } else {
+                                                    phi_1930_ = _e1328;
+                                                }
+                                                let _e1333 = phi_1930_;
+                                                if (_e1320 < _e1329) {
+                                                    phi_1935_ = _e1320;
+                                                } else {
+                                                    phi_1935_ = _e1329;
+                                                }
+                                                let _e1336 = phi_1935_;
+                                                if (_e1321 < _e1330) {
+                                                    phi_1940_ = _e1321;
+                                                } else {
+                                                    phi_1940_ = _e1330;
+                                                }
+                                                let _e1339 = phi_1940_;
+                                                if (_e1319 > _e1328) {
+                                                    phi_1948_ = _e1319;
+                                                } else {
+                                                    phi_1948_ = _e1328;
+                                                }
+                                                let _e1345 = phi_1948_;
+                                                if (_e1320 > _e1329) {
+                                                    phi_1953_ = _e1320;
+                                                } else {
+                                                    phi_1953_ = _e1329;
+                                                }
+                                                let _e1348 = phi_1953_;
+                                                if (_e1321 > _e1330) {
+                                                    phi_1958_ = _e1321;
+                                                } else {
+                                                    phi_1958_ = _e1330;
+                                                }
+                                                let _e1351 = phi_1958_;
+                                                let _e1355 = core_intrinsics_maximum_number_nsz_f32_((_e1333 - _e372), (_e1336 - _e373));
+                                                let _e1356 = core_intrinsics_maximum_number_nsz_f32_(_e1355, (_e1339 - _e374));
+                                                let _e1357 = core_intrinsics_minimum_number_nsz_f32_((_e1345 + _e372), (_e1348 + _e373));
+                                                let _e1358 = core_intrinsics_minimum_number_nsz_f32_(_e1357, (_e1351 + _e374));
+                                                if (_e1356 > -300000000000000000000000000000000000000f) {
+                                                    phi_1970_ = _e1356;
+                                                } else {
+                                                    phi_1970_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1361 = phi_1970_;
+                                                if (_e1358 < 300000000000000000000000000000000000000f) {
+                                                    phi_1975_ = _e1358;
+                                                } else {
+                                                    phi_1975_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1364 = phi_1975_;
+                                                if (_e1224 < _e1361) {
+                                                    phi_1980_ = _e1361;
+                                                } else {
+                                                    phi_1980_ = _e1224;
+                                                }
+                                                let _e1367 = phi_1980_;
+                                                if (_e1367 > _e1364) {
+                                                    phi_1985_ = _e1364;
+                                                } else {
+                                                    phi_1985_ = _e1367;
+                                                }
+                                                let _e1370 = phi_1985_;
+                                                phi_1990_ = lt_bvh_triangle_Intersection(_e1370, (_e1156 / _e1215), (_e1177 / _e1215), (_e1361 <= _e1364));
+                                                phi_1991_ = false;
                                             } else {
-                                                phi_2112_ = bool();
-                                                phi_2113_ = true;
+                                                phi_1990_ = lt_bvh_triangle_Intersection();
+                                                phi_1991_ = true;
                                             }
-                                            let _e1402 = phi_2112_;
-                                            let _e1404 = phi_2113_;
-                                            if _e1404 {
-                                                phi_2117_ = false;
-                                            } else {
-                                                phi_2117_ = _e1402;
-                                            }
-                                            let _e1406 = phi_2117_;
-                                            phi_2118_ = _e1406;
+                                            let _e1376 = phi_1990_;
+                                            let _e1378 = phi_1991_;
+                                            phi_1992_ = _e1376;
+                                            phi_1993_ = _e1378;
+                                        } else {
+                                            phi_1992_ = lt_bvh_triangle_Intersection();
+                                            phi_1993_ = true;
                                         }
-                                        let _e1408 = phi_2118_;
-                                        if _e1408 {
-                                            let _e1410 = triangles.member[(0u + _e1016)].i0_;
-                                            if ((_e1410 & 2147483648u) == 0u) {
-                                                phi_2132_ = true;
+                                        let _e1380 = phi_1992_;
+                                        let _e1382 = phi_1993_;
+                                        if _e1382 {
+                                        }
+                                        phi_1997_ = _e1380;
+                                        phi_1998_ = _e1382;
+                                    }
+                                    let _e1384 = phi_1997_;
+                                    let _e1386 = phi_1998_;
+                                    phi_1999_ = _e1384;
+                                    phi_2000_ = _e1218;
+                                    phi_2001_ = _e1386;
+                                } else {
+                                    phi_1999_ = lt_bvh_triangle_Intersection();
+                                    phi_2000_ = true;
+                                    phi_2001_ = false;
+                                }
+                                let _e1388 = phi_1999_;
+                                let _e1390 = phi_2000_;
+                                let _e1392 = phi_2001_;
+                                if _e1390 {
+                                    phi_2005_ = true;
+                                } else {
+                                    phi_2005_ = _e1392;
+                                }
+                                let _e1394 = phi_2005_;
+                                if _e1394 {
+                                    phi_2009_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2009_ = _e1388;
+                                }
+                                let _e1396 = phi_2009_;
+                                if _e1396.is_hit {
+                                    if (_e1396.t > _e150.tmin) {
+                                        if (_e1396.t < _e1008.t) {
+                                            phi_2058_ = true;
+                                        } else {
+                                            if (_e1396.t == _e1008.t) {
+                                                if (_e1008.triangle != 4294967295u) {
+                                                    if (_e1019 < _e1008.triangle) {
+                                                        phi_2049_ = true;
+                                                    } else {
+                                                        if (_e1019 == _e1008.triangle) {
+                                                            phi_2048_ = (4294967295u < _e1008.instance);
+                                                        } else {
+                                                            phi_2048_ = false;
+                                                        }
+                                                        let _e1415 = phi_2048_;
+                                                        phi_2049_ = _e1415;
+                                                    }
+                                                    let _e1417 = phi_2049_;
+                                                    phi_2050_ = _e1417;
+                                                    phi_2051_ = false;
+                                                } else {
+                                                    phi_2050_ = bool();
+                                                    phi_2051_ = true;
+                                                }
+                                                let _e1419 = phi_2050_;
+                                                let _e1421 = phi_2051_;
+                                                phi_2052_ = _e1419;
+                                                phi_2053_ = _e1421;
+                                            } else {
+                                                phi_2052_ = bool();
+                                                phi_2053_ = true;
+                                            }
+                                            let _e1423 = phi_2052_;
+                                            let _e1425 = phi_2053_;
+                                            if _e1425 {
+                                                phi_2057_ = false;
+                                            } else {
+                                                phi_2057_ = _e1423;
+                                            }
+                                            let _e1427 = phi_2057_;
+                                            phi_2058_ = _e1427;
+                                        }
+                                        let _e1429 = phi_2058_;
+                                        if _e1429 {
+                                            let _e1431 = triangles.member[(0u + _e1019)].i0_;
+                                            if ((_e1431 & 2147483648u) == 0u) {
+                                                phi_2072_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_2132_ = true;
+                                                phi_2072_ = true;
                                             }
-                                            let _e1414 = phi_2132_;
-                                            if _e1414 {
-                                                phi_2140_ = lt_bvh_Hit(_e1375.t, _e1375.u, _e1375.v, _e1016, 4294967295u);
+                                            let _e1435 = phi_2072_;
+                                            if _e1435 {
+                                                phi_2080_ = lt_bvh_Hit(_e1396.t, _e1396.u, _e1396.v, _e1019, 4294967295u);
                                             } else {
-                                                phi_2140_ = _e1005;
+                                                phi_2080_ = _e1008;
                                             }
-                                            let _e1420 = phi_2140_;
-                                            phi_2141_ = _e1420;
+                                            let _e1441 = phi_2080_;
+                                            phi_2081_ = _e1441;
                                         } else {
-                                            phi_2141_ = _e1005;
+                                            phi_2081_ = _e1008;
                                         }
-                                        let _e1422 = phi_2141_;
-                                        phi_2142_ = _e1422;
+                                        let _e1443 = phi_2081_;
+                                        phi_2082_ = _e1443;
                                     } else {
-                                        phi_2142_ = _e1005;
+                                        phi_2082_ = _e1008;
                                     }
-                                    let _e1424 = phi_2142_;
-                                    phi_2143_ = _e1424;
+                                    let _e1445 = phi_2082_;
+                                    phi_2083_ = _e1445;
                                 } else {
-                                    phi_2143_ = _e1005;
+                                    phi_2083_ = _e1008;
                                 }
-                                let _e1426 = phi_2143_;
-                                phi_1605_ = _e1426;
-                                phi_1608_ = (_e1007 & (_e1007 - 1u));
-                                phi_2144_ = true;
+                                let _e1447 = phi_2083_;
+                                phi_1522_ = _e1447;
+                                phi_1525_ = (_e1010 & (_e1010 - 1u));
+                                phi_2084_ = true;
                             }
-                            let _e1428 = phi_1605_;
-                            let _e1430 = phi_1608_;
-                            let _e1432 = phi_2144_;
+                            let _e1449 = phi_1522_;
+                            let _e1451 = phi_1525_;
+                            let _e1453 = phi_2084_;
                             continue;
                             continuing {
-                                phi_1604_ = _e1428;
-                                phi_1607_ = _e1430;
-                                break if !(_e1432);
+                                phi_1521_ = _e1449;
+                                phi_1524_ = _e1451;
+                                break if !(_e1453);
                             }
                         }
-                        let _e1435 = local_3.group_mask;
-                        if ((_e1435 & 4278190080u) == 0u) {
-                            let _e1439 = local_3.len;
-                            if (_e1439 == 0u) {
-                                phi_2183_ = false;
+                        let _e1456 = local_1.group_mask;
+                        if ((_e1456 & 4278190080u) == 0u) {
+                            let _e1460 = local_1.len;
+                            if (_e1460 == 0u) {
+                                phi_2123_ = false;
                             } else {
-                                let _e1443 = local_3.len;
-                                local_3.len = (_e1443 - 1u);
-                                let _e1446 = local_3.len;
-                                if (_e1446 < 32u) {
+                                let _e1464 = local_1.len;
+                                local_1.len = (_e1464 - 1u);
+                                let _e1467 = local_1.len;
+                                if (_e1467 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1451 = local_3.first[(0u + _e1446)];
-                                local_3.group = _e1451;
-                                let _e1454 = local_3.len;
-                                if (_e1454 < 32u) {
+                                let _e1472 = local_1.first[(0u + _e1467)];
+                                local_1.group = _e1472;
+                                let _e1475 = local_1.len;
+                                if (_e1475 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1459 = local_3.mask[(0u + _e1454)];
-                                local_3.group_mask = _e1459;
-                                phi_2183_ = true;
+                                let _e1480 = local_1.mask[(0u + _e1475)];
+                                local_1.group_mask = _e1480;
+                                phi_2123_ = true;
                             }
-                            let _e1462 = phi_2183_;
-                            phi_2184_ = _e1462;
+                            let _e1483 = phi_2123_;
+                            phi_2124_ = _e1483;
                         } else {
-                            phi_2184_ = true;
+                            phi_2124_ = true;
                         }
-                        let _e1464 = phi_2184_;
-                        if _e1464 {
-                            let _e1466 = local_3.group_mask;
-                            let _e1472 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1466)), 32u, (_e1466 == 0u)));
-                            let _e1476 = local_3.group_mask;
-                            let _e1490 = local_3.group_mask;
-                            local_3.group_mask = (_e1490 & ~((1u << bitcast<u32>((_e1472 & 31u)))));
-                            let _e1493 = local_3.group;
-                            phi_2215_ = (_e1493 + countOneBits(((_e1476 & ~((4294967295u << bitcast<u32>((((_e1472 - 24u) ^ _e424) & 31u))))) & 255u)));
+                        let _e1485 = phi_2124_;
+                        if _e1485 {
+                            let _e1487 = local_1.group_mask;
+                            let _e1493 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1487)), 32u, (_e1487 == 0u)));
+                            let _e1497 = local_1.group_mask;
+                            let _e1511 = local_1.group_mask;
+                            local_1.group_mask = (_e1511 & ~((1u << bitcast<u32>((_e1493 & 31u)))));
+                            let _e1514 = local_1.group;
+                            phi_2155_ = (_e1514 + countOneBits(((_e1497 & ~((4294967295u << bitcast<u32>((((_e1493 - 24u) ^ _e427) & 31u))))) & 255u)));
                         } else {
-                            phi_2215_ = 4294967295u;
+                            phi_2155_ = 4294967295u;
                         }
-                        let _e1496 = phi_2215_;
-                        let _e2038 = local_7;
-                        phi_1268_ = _e2038;
-                        phi_1271_ = _e1496;
+                        let _e1517 = phi_2155_;
+                        let _e2355 = local_5;
+                        phi_1185_ = _e2355;
+                        phi_1188_ = _e1517;
                     } else {
-                        phi_1268_ = lt_bvh_Hit();
-                        phi_1271_ = u32();
+                        phi_1185_ = lt_bvh_Hit();
+                        phi_1188_ = u32();
                     }
-                    let _e1498 = phi_1268_;
-                    let _e1500 = phi_1271_;
+                    let _e1519 = phi_1185_;
+                    let _e1521 = phi_1188_;
                     continue;
                     continuing {
-                        phi_1267_ = _e1498;
-                        phi_1270_ = _e1500;
-                        break if !(_e565);
+                        phi_1184_ = _e1519;
+                        phi_1187_ = _e1521;
+                        break if !(_e568);
                     }
                 }
-                let _e2042 = local_8;
-                phi_2216_ = _e2042;
+                let _e2359 = local_6;
+                phi_2156_ = _e2359;
             }
-            let _e1503 = phi_2216_;
-            phi_2217_ = _e1503;
-            phi_2218_ = _e219;
+            let _e1524 = phi_2156_;
+            phi_2157_ = _e1524;
+            phi_2158_ = _e222;
         } else {
-            phi_2217_ = lt_bvh_Hit();
-            phi_2218_ = true;
+            phi_2157_ = lt_bvh_Hit();
+            phi_2158_ = true;
         }
-        let _e1505 = phi_2217_;
-        let _e1507 = phi_2218_;
-        if _e1507 {
-            phi_2222_ = _e149;
+        let _e1526 = phi_2157_;
+        let _e1528 = phi_2158_;
+        if _e1528 {
+            phi_2162_ = _e152;
         } else {
-            phi_2222_ = _e1505;
+            phi_2162_ = _e1526;
         }
-        let _e1509 = phi_2222_;
-        if (_e1509.triangle != 4294967295u) {
-            let _e1514 = lt_shaders_surface_barycentric_weights(_e1509.u, _e1509.v);
-            if (_e1509.triangle < _e74) {
+        let _e1530 = phi_2162_;
+        if (_e1530.triangle != 4294967295u) {
+            let _e1536 = ((1f - _e1530.u) - _e1530.v);
+            if (_e1530.triangle < _e77) {
             } else {
                 return;
             }
-            let _e1519 = triangles.member[(0u + _e1509.triangle)];
-            let _e1547 = (((_e1519.v0_.x * _e1514.x) + (_e1519.v1_.x * _e1514.y)) + (_e1519.v2_.x * _e1514.z));
-            let _e1548 = (((_e1519.v0_.y * _e1514.x) + (_e1519.v1_.y * _e1514.y)) + (_e1519.v2_.y * _e1514.z));
-            let _e1549 = (((_e1519.v0_.z * _e1514.x) + (_e1519.v1_.z * _e1514.y)) + (_e1519.v2_.z * _e1514.z));
-            let _e1552 = abs(_e1519.v0_.x);
-            let _e1554 = abs(_e1519.v0_.y);
-            let _e1556 = abs(_e1519.v0_.z);
-            let _e1558 = abs(_e1519.v1_.x);
-            let _e1560 = abs(_e1519.v1_.y);
-            let _e1562 = abs(_e1519.v1_.z);
-            if (_e1552 > _e1558) {
-                phi_2288_ = _e1552;
-            } else {
-                phi_2288_ = _e1558;
-            }
-            let _e1565 = phi_2288_;
-            if (_e1554 > _e1560) {
-                phi_2293_ = _e1554;
-            } else {
-                phi_2293_ = _e1560;
-            }
-            let _e1568 = phi_2293_;
-            if (_e1556 > _e1562) {
-                phi_2298_ = _e1556;
-            } else {
-                phi_2298_ = _e1562;
-            }
-            let _e1571 = phi_2298_;
-            let _e1573 = abs(_e1519.v2_.x);
-            let _e1575 = abs(_e1519.v2_.y);
-            let _e1577 = abs(_e1519.v2_.z);
-            if (_e1565 > _e1573) {
-                phi_2309_ = _e1565;
-            } else {
-                phi_2309_ = _e1573;
-            }
-            let _e1580 = phi_2309_;
-            if (_e1568 > _e1575) {
-                phi_2314_ = _e1568;
-            } else {
-                phi_2314_ = _e1575;
-            }
-            let _e1583 = phi_2314_;
+            let _e1541 = triangles.member[(0u + _e1530.triangle)];
+            let _e1566 = (((_e1541.v0_.x * _e1536) + (_e1541.v1_.x * _e1530.u)) + (_e1541.v2_.x * _e1530.v));
+            let _e1567 = (((_e1541.v0_.y * _e1536) + (_e1541.v1_.y * _e1530.u)) + (_e1541.v2_.y * _e1530.v));
+            let _e1568 = (((_e1541.v0_.z * _e1536) + (_e1541.v1_.z * _e1530.u)) + (_e1541.v2_.z * _e1530.v));
+            let _e1571 = abs(_e1541.v0_.x);
+            let _e1573 = abs(_e1541.v0_.y);
+            let _e1575 = abs(_e1541.v0_.z);
+            let _e1577 = abs(_e1541.v1_.x);
+            let _e1579 = abs(_e1541.v1_.y);
+            let _e1581 = abs(_e1541.v1_.z);
             if (_e1571 > _e1577) {
-                phi_2319_ = _e1571;
+                phi_2226_ = _e1571;
             } else {
-                phi_2319_ = _e1577;
+                phi_2226_ = _e1577;
             }
-            let _e1586 = phi_2319_;
-            let _e1589 = (_e1519.v1_.x - _e1519.v0_.x);
-            let _e1592 = (_e1519.v1_.y - _e1519.v0_.y);
-            let _e1595 = (_e1519.v1_.z - _e1519.v0_.z);
-            let _e1598 = (_e1519.v2_.x - _e1519.v0_.x);
-            let _e1601 = (_e1519.v2_.y - _e1519.v0_.y);
-            let _e1604 = (_e1519.v2_.z - _e1519.v0_.z);
-            let _e1608 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1592), abs(_e1595));
-            let _e1609 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1589), _e1608);
-            let _e1610 = (_e1589 / _e1609);
-            let _e1611 = (_e1592 / _e1609);
-            let _e1612 = (_e1595 / _e1609);
-            let _e1616 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1601), abs(_e1604));
-            let _e1617 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1598), _e1616);
-            let _e1618 = (_e1598 / _e1617);
-            let _e1619 = (_e1601 / _e1617);
-            let _e1620 = (_e1604 / _e1617);
-            let _e1623 = ((_e1611 * _e1620) - (_e1619 * _e1612));
-            let _e1626 = ((_e1612 * _e1618) - (_e1620 * _e1610));
-            let _e1629 = ((_e1610 * _e1619) - (_e1618 * _e1611));
-            let _e1631 = p.member.eye;
-            let _e1640 = (1f / sqrt((((_e1623 * _e1623) + (_e1626 * _e1626)) + (_e1629 * _e1629))));
-            let _e1645 = lt_shaders_camera_facing(vec3<f32>((_e1623 * _e1640), (_e1626 * _e1640), (_e1629 * _e1640)), (_e1631 - vec3<f32>(_e1547, _e1548, _e1549)));
-            if (_e1509.triangle < _e74) {
+            let _e1584 = phi_2226_;
+            if (_e1573 > _e1579) {
+                phi_2231_ = _e1573;
+            } else {
+                phi_2231_ = _e1579;
+            }
+            let _e1587 = phi_2231_;
+            if (_e1575 > _e1581) {
+                phi_2236_ = _e1575;
+            } else {
+                phi_2236_ = _e1581;
+            }
+            let _e1590 = phi_2236_;
+            let _e1592 = abs(_e1541.v2_.x);
+            let _e1594 = abs(_e1541.v2_.y);
+            let _e1596 = abs(_e1541.v2_.z);
+            if (_e1584 > _e1592) {
+                phi_2247_ = _e1584;
+            } else {
+                phi_2247_ = _e1592;
+            }
+            let _e1599 = phi_2247_;
+            if (_e1587 > _e1594) {
+                phi_2252_ = _e1587;
+            } else {
+                phi_2252_ = _e1594;
+            }
+            let _e1602 = phi_2252_;
+            if (_e1590 > _e1596) {
+                phi_2257_ = _e1590;
+            } else {
+                phi_2257_ = _e1596;
+            }
+            let _e1605 = phi_2257_;
+            let _e1608 = (_e1541.v1_.x - _e1541.v0_.x);
+            let _e1611 = (_e1541.v1_.y - _e1541.v0_.y);
+            let _e1614 = (_e1541.v1_.z - _e1541.v0_.z);
+            let _e1617 = (_e1541.v2_.x - _e1541.v0_.x);
+            let _e1620 = (_e1541.v2_.y - _e1541.v0_.y);
+            let _e1623 = (_e1541.v2_.z - _e1541.v0_.z);
+            let _e1627 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1611), abs(_e1614));
+            let _e1628 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1608), _e1627);
+            let _e1629 = (_e1608 / _e1628);
+            let _e1630 = (_e1611 / _e1628);
+            let _e1631 = (_e1614 / _e1628);
+            let _e1635 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1620), abs(_e1623));
+            let _e1636 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1617), _e1635);
+            let _e1637 = (_e1617 / _e1636);
+            let _e1638 = (_e1620 / _e1636);
+            let _e1639 = (_e1623 / _e1636);
+            let _e1642 = ((_e1630 * _e1639) - (_e1638 * _e1631));
+            let _e1645 = ((_e1631 * _e1637) - (_e1639 * _e1629));
+            let _e1648 = ((_e1629 * _e1638) - (_e1637 * _e1630));
+            let _e1650 = p.member.eye;
+            let _e1663 = (1f / sqrt((((_e1642 * _e1642) + (_e1645 * _e1645)) + (_e1648 * _e1648))));
+            let _e1664 = (_e1642 * _e1663);
+            let _e1665 = (_e1645 * _e1663);
+            let _e1666 = (_e1648 * _e1663);
+            if ((((_e1664 * (_e1650.x - _e1566)) + (_e1665 * (_e1650.y - _e1567))) + (_e1666 * (_e1650.z - _e1568))) < 0f) {
+                phi_2333_ = vec3<f32>(-(_e1664), -(_e1665), -(_e1666));
+            } else {
+                phi_2333_ = vec3<f32>(_e1664, _e1665, _e1666);
+            }
+            let _e1679 = phi_2333_;
+            if (_e1530.triangle < _e77) {
             } else {
                 return;
             }
-            let _e1650 = triangles.member[(0u + _e1509.triangle)];
-            let _e1652 = (_e1650.i0_ & 2147483647u);
-            if (_e1652 < _e77) {
+            let _e1684 = triangles.member[(0u + _e1530.triangle)];
+            let _e1686 = (_e1684.i0_ & 2147483647u);
+            if (_e1686 < _e80) {
             } else {
                 return;
             }
-            let _e1658 = vertices.member[(0u + _e1652)];
-            if (_e1650.i1_ < _e77) {
+            let _e1692 = vertices.member[(0u + _e1686)];
+            if (_e1684.i1_ < _e80) {
             } else {
                 return;
             }
-            let _e1662 = vertices.member[(0u + _e1650.i1_)];
-            if (_e1650.i2_ < _e77) {
+            let _e1696 = vertices.member[(0u + _e1684.i1_)];
+            if (_e1684.i2_ < _e80) {
             } else {
                 return;
             }
-            let _e1666 = vertices.member[(0u + _e1650.i2_)];
-            let _e1667 = array<abi_Vertex, 3>(_e1658, _e1662, _e1666);
-            local_1 = array<abi_Vertex, 3>(abi_Vertex(_e1667[0].u, _e1667[0].v, _e1667[0].normal, _e1667[0].color, _e1667[0].material), abi_Vertex(_e1667[1].u, _e1667[1].v, _e1667[1].normal, _e1667[1].color, _e1667[1].material), abi_Vertex(_e1667[2].u, _e1667[2].v, _e1667[2].normal, _e1667[2].color, _e1667[2].material));
-            let _e1692 = local_1[0u].material;
-            if (_e1692 < arrayLength((&materials.member))) {
+            let _e1700 = vertices.member[(0u + _e1684.i2_)];
+            let _e1701 = array<abi_Vertex, 3>(_e1692, _e1696, _e1700);
+            if (_e1701[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1696 = materials.member[(0u + _e1692)];
-            local_2 = abi_Material(_e1696.base_color, _e1696.cutoff, _e1696.flags, _e1696.alpha_offset, _e1696.alpha_size, _e1696.color_offset, _e1696.color_size, _e1696.pad);
-            let _e1706 = lt_shaders_surface_plain_color((&local_2), (&local_1), _e1514);
-            let _e1708 = local_2.color_size;
-            if (_e1708 == 0u) {
-                phi_2552_ = vec3<f32>(1f, 1f, 1f);
+            let _e1707 = materials.member[(0u + _e1701[0].material)];
+            let _e1724 = (1f / 255f);
+            let _e1743 = (1f / 255f);
+            let _e1765 = (1f / 255f);
+            if (_e1707.color_size == 0u) {
+                phi_2576_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                let _e1711 = local_2.color_offset;
-                let _e1713 = local_2.color_size;
-                let _e1715 = local_2.flags;
-                local.offset = _e1711;
-                local.size = _e1713;
-                local.flags = _e1715;
-                let _e1719 = lt_shaders_surface_texture_coordinate((&local_1), _e1514);
-                let _e1722 = _lt_shaders_texture_TextureView_quad((&local), _e1719.x, _e1719.y);
-                if (_e1722.indices[0] < _e86) {
+                local.offset = _e1707.color_offset;
+                local.size = _e1707.color_size;
+                local.flags = _e1707.flags;
+                let _e1808 = _lt_shaders_texture_TextureView_quad((&local), (((_e1701[0].u * _e1536) + (_e1701[1].u * _e1530.u)) + (_e1701[2].u * _e1530.v)), (((_e1701[0].v * _e1536) + (_e1701[1].v * _e1530.u)) + (_e1701[2].v * _e1530.v)));
+                if (_e1808.indices[0] < _e89) {
                 } else {
                     return;
                 }
-                let _e1728 = color_texels.member[(0u + _e1722.indices[0])];
-                let _e1729 = lt_shaders_texture_unorm_bytes(_e1728);
-                if (_e1722.indices[1] < _e86) {
+                let _e1814 = color_texels.member[(0u + _e1808.indices[0])];
+                let _e1825 = (1f / 255f);
+                if (_e1808.indices[1] < _e89) {
                 } else {
                     return;
                 }
-                let _e1743 = color_texels.member[(0u + _e1722.indices[1])];
-                let _e1744 = lt_shaders_texture_unorm_bytes(_e1743);
-                if (_e1722.indices[2] < _e86) {
+                let _e1839 = color_texels.member[(0u + _e1808.indices[1])];
+                let _e1850 = (1f / 255f);
+                if (_e1808.indices[2] < _e89) {
                 } else {
                     return;
                 }
-                let _e1761 = color_texels.member[(0u + _e1722.indices[2])];
-                let _e1762 = lt_shaders_texture_unorm_bytes(_e1761);
-                if (_e1722.indices[3] < _e86) {
+                let _e1867 = color_texels.member[(0u + _e1808.indices[2])];
+                let _e1878 = (1f / 255f);
+                if (_e1808.indices[3] < _e89) {
                 } else {
                     return;
                 }
-                let _e1779 = color_texels.member[(0u + _e1722.indices[3])];
-                let _e1780 = lt_shaders_texture_unorm_bytes(_e1779);
-                let _e1789 = ((((_e1729.x * _e1722.weights.x) + (_e1744.x * _e1722.weights.y)) + (_e1762.x * _e1722.weights.z)) + (_e1780.x * _e1722.weights.w));
-                let _e1790 = ((((_e1729.y * _e1722.weights.x) + (_e1744.y * _e1722.weights.y)) + (_e1762.y * _e1722.weights.z)) + (_e1780.y * _e1722.weights.w));
-                let _e1791 = ((((_e1729.z * _e1722.weights.x) + (_e1744.z * _e1722.weights.y)) + (_e1762.z * _e1722.weights.z)) + (_e1780.z * _e1722.weights.w));
-                phi_2552_ = vec3<f32>((_e1789 * _e1789), (_e1790 * _e1790), (_e1791 * _e1791));
+                let _e1895 = color_texels.member[(0u + _e1808.indices[3])];
+                let _e1906 = (1f / 255f);
+                let _e1915 = (((((f32((_e1814 & 255u)) * _e1825) * _e1808.weights.x) + ((f32((_e1839 & 255u)) * _e1850) * _e1808.weights.y)) + ((f32((_e1867 & 255u)) * _e1878) * _e1808.weights.z)) + ((f32((_e1895 & 255u)) * _e1906) * _e1808.weights.w));
+                let _e1916 = (((((f32(((_e1814 >> bitcast<u32>(8i)) & 255u)) * _e1825) * _e1808.weights.x) + ((f32(((_e1839 >> bitcast<u32>(8i)) & 255u)) * _e1850) * _e1808.weights.y)) + ((f32(((_e1867 >> bitcast<u32>(8i)) & 255u)) * _e1878) * _e1808.weights.z)) + ((f32(((_e1895 >> bitcast<u32>(8i)) & 255u)) * _e1906) * _e1808.weights.w));
+                let _e1917 = (((((f32(((_e1814 >> bitcast<u32>(16i)) & 255u)) * _e1825) * _e1808.weights.x) + ((f32(((_e1839 >> bitcast<u32>(16i)) & 255u)) * _e1850) * _e1808.weights.y)) + ((f32(((_e1867 >> bitcast<u32>(16i)) & 255u)) * _e1878) * _e1808.weights.z)) + ((f32(((_e1895 >> bitcast<u32>(16i)) & 255u)) * _e1906) * _e1808.weights.w));
+                phi_2576_ = vec3<f32>((_e1915 * _e1915), (_e1916 * _e1916), (_e1917 * _e1917));
             }
-            let _e1797 = phi_2552_;
-            let _e1799 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1583, _e1586);
-            let _e1800 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1580, _e1799);
-            let _e1802 = local_2.flags;
-            if ((_e1802 & 2u) == 0u) {
-                phi_2563_ = 0u;
+            let _e1923 = phi_2576_;
+            let _e1925 = ((_e1707.base_color.x * ((((f32((_e1701[0].color & 255u)) * _e1724) * _e1536) + ((f32((_e1701[1].color & 255u)) * _e1743) * _e1530.u)) + ((f32((_e1701[2].color & 255u)) * _e1765) * _e1530.v))) * _e1923.x);
+            let _e1927 = ((_e1707.base_color.y * ((((f32(((_e1701[0].color >> bitcast<u32>(8i)) & 255u)) * _e1724) * _e1536) + ((f32(((_e1701[1].color >> bitcast<u32>(8i)) & 255u)) * _e1743) * _e1530.u)) + ((f32(((_e1701[2].color >> bitcast<u32>(8i)) & 255u)) * _e1765) * _e1530.v))) * _e1923.y);
+            let _e1929 = ((_e1707.base_color.z * ((((f32(((_e1701[0].color >> bitcast<u32>(16i)) & 255u)) * _e1724) * _e1536) + ((f32(((_e1701[1].color >> bitcast<u32>(16i)) & 255u)) * _e1743) * _e1530.u)) + ((f32(((_e1701[2].color >> bitcast<u32>(16i)) & 255u)) * _e1765) * _e1530.v))) * _e1923.z);
+            let _e1930 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1602, _e1605);
+            let _e1931 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1599, _e1930);
+            if ((_e1707.flags & 2u) == 0u) {
+                phi_2591_ = 0u;
             } else {
-                phi_2563_ = 1u;
+                phi_2591_ = 1u;
             }
-            let _e1806 = phi_2563_;
-            let _e1809 = local_1[0u].normal;
-            if (_e1809 == 2147516416u) {
-                phi_2630_ = _e1645;
+            let _e1936 = phi_2591_;
+            if (_e1701[0].normal == 2147516416u) {
+                phi_2794_ = _e1679;
             } else {
-                let _e1813 = local_1[0u].normal;
-                let _e1814 = lt_shaders_surface_octahedral_decode(_e1813);
-                let _e1824 = local_1[1u].normal;
-                let _e1825 = lt_shaders_surface_octahedral_decode(_e1824);
-                let _e1838 = local_1[2u].normal;
-                let _e1839 = lt_shaders_surface_octahedral_decode(_e1838);
-                let _e1851 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>((((_e1814.x * _e1514.x) + (_e1825.x * _e1514.y)) + (_e1839.x * _e1514.z)), (((_e1814.y * _e1514.x) + (_e1825.y * _e1514.y)) + (_e1839.y * _e1514.z)), (((_e1814.z * _e1514.x) + (_e1825.z * _e1514.y)) + (_e1839.z * _e1514.z))));
-                let _e1863 = sqrt((((_e1851.x * _e1851.x) + (_e1851.y * _e1851.y)) + (_e1851.z * _e1851.z)));
-                if (_e1863 > 0f) {
-                    let _e1867 = lt_shaders_camera_facing((_e1851 / vec3(_e1863)), _e1645);
-                    phi_2629_ = _e1867;
+                let _e1949 = (f32((bitcast<i32>((_e1701[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1955 = (f32((bitcast<i32>(_e1701[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1959 = ((1f - abs(_e1949)) - abs(_e1955));
+                if (_e1959 < 0f) {
+                    phi_2618_ = -(_e1959);
                 } else {
-                    phi_2629_ = _e1645;
+                    phi_2618_ = 0f;
                 }
-                let _e1869 = phi_2629_;
-                phi_2630_ = _e1869;
+                let _e1963 = phi_2618_;
+                if (_e1949 < 0f) {
+                    phi_2625_ = (_e1949 + _e1963);
+                } else {
+                    phi_2625_ = (_e1949 - _e1963);
+                }
+                let _e1968 = phi_2625_;
+                if (_e1955 < 0f) {
+                    phi_2632_ = (_e1955 + _e1963);
+                } else {
+                    phi_2632_ = (_e1955 - _e1963);
+                }
+                let _e1973 = phi_2632_;
+                let _e1980 = (1f / sqrt((((_e1968 * _e1968) + (_e1973 * _e1973)) + (_e1959 * _e1959))));
+                let _e1996 = (f32((bitcast<i32>((_e1701[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2002 = (f32((bitcast<i32>(_e1701[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2006 = ((1f - abs(_e1996)) - abs(_e2002));
+                if (_e2006 < 0f) {
+                    phi_2667_ = -(_e2006);
+                } else {
+                    phi_2667_ = 0f;
+                }
+                let _e2010 = phi_2667_;
+                if (_e1996 < 0f) {
+                    phi_2674_ = (_e1996 + _e2010);
+                } else {
+                    phi_2674_ = (_e1996 - _e2010);
+                }
+                let _e2015 = phi_2674_;
+                if (_e2002 < 0f) {
+                    phi_2681_ = (_e2002 + _e2010);
+                } else {
+                    phi_2681_ = (_e2002 - _e2010);
+                }
+                let _e2020 = phi_2681_;
+                let _e2027 = (1f / sqrt((((_e2015 * _e2015) + (_e2020 * _e2020)) + (_e2006 * _e2006))));
+                let _e2046 = (f32((bitcast<i32>((_e1701[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2052 = (f32((bitcast<i32>(_e1701[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2056 = ((1f - abs(_e2046)) - abs(_e2052));
+                if (_e2056 < 0f) {
+                    phi_2719_ = -(_e2056);
+                } else {
+                    phi_2719_ = 0f;
+                }
+                let _e2060 = phi_2719_;
+                if (_e2046 < 0f) {
+                    phi_2726_ = (_e2046 + _e2060);
+                } else {
+                    phi_2726_ = (_e2046 - _e2060);
+                }
+                let _e2065 = phi_2726_;
+                if (_e2052 < 0f) {
+                    phi_2733_ = (_e2052 + _e2060);
+                } else {
+                    phi_2733_ = (_e2052 - _e2060);
+                }
+                let _e2070 = phi_2733_;
+                let _e2077 = (1f / sqrt((((_e2065 * _e2065) + (_e2070 * _e2070)) + (_e2056 * _e2056))));
+                let _e2088 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1968 * _e1980) * _e1536) + ((_e2015 * _e2027) * _e1530.u)) + ((_e2065 * _e2077) * _e1530.v)), ((((_e1973 * _e1980) * _e1536) + ((_e2020 * _e2027) * _e1530.u)) + ((_e2070 * _e2077) * _e1530.v)), ((((_e1959 * _e1980) * _e1536) + ((_e2006 * _e2027) * _e1530.u)) + ((_e2056 * _e2077) * _e1530.v))));
+                let _e2100 = sqrt((((_e2088.x * _e2088.x) + (_e2088.y * _e2088.y)) + (_e2088.z * _e2088.z)));
+                if (_e2100 > 0f) {
+                    let _e2103 = (_e2088.x / _e2100);
+                    let _e2105 = (_e2088.y / _e2100);
+                    let _e2107 = (_e2088.z / _e2100);
+                    if ((((_e2103 * _e1679.x) + (_e2105 * _e1679.y)) + (_e2107 * _e1679.z)) < 0f) {
+                        phi_2792_ = vec3<f32>(-(_e2103), -(_e2105), -(_e2107));
+                    } else {
+                        phi_2792_ = (_e2088 / vec3(_e2100));
+                    }
+                    let _e2124 = phi_2792_;
+                    phi_2793_ = _e2124;
+                } else {
+                    phi_2793_ = _e1679;
+                }
+                let _e2126 = phi_2793_;
+                phi_2794_ = _e2126;
             }
-            let _e1871 = phi_2630_;
-            let _e1872 = lt_shaders_shade_pack_albedo((_e1706 * _e1797));
-            phi_2634_ = abi_Sample(vec3<f32>(_e1547, _e1548, _e1549), _e1800, _e1645, _e1806, _e1871, _e1872);
+            let _e2128 = phi_2794_;
+            if (_e1925 > 0f) {
+                if (_e1925 < 1f) {
+                    phi_2803_ = _e1925;
+                } else {
+                    phi_2803_ = 1f;
+                }
+                let _e2132 = phi_2803_;
+                phi_2804_ = _e2132;
+            } else {
+                phi_2804_ = 0f;
+            }
+            let _e2134 = phi_2804_;
+            if (_e1927 > 0f) {
+                if (_e1927 < 1f) {
+                    phi_2814_ = _e1927;
+                } else {
+                    phi_2814_ = 1f;
+                }
+                let _e2139 = phi_2814_;
+                phi_2815_ = _e2139;
+            } else {
+                phi_2815_ = 0f;
+            }
+            let _e2141 = phi_2815_;
+            if (_e1929 > 0f) {
+                if (_e1929 < 1f) {
+                    phi_2825_ = _e1929;
+                } else {
+                    phi_2825_ = 1f;
+                }
+                let _e2146 = phi_2825_;
+                phi_2826_ = _e2146;
+            } else {
+                phi_2826_ = 0f;
+            }
+            let _e2148 = phi_2826_;
+            let _e2151 = ((sqrt(_e2134) * 255f) + 0.5f);
+            let _e2160 = ((sqrt(_e2141) * 255f) + 0.5f);
+            let _e2172 = ((sqrt(_e2148) * 255f) + 0.5f);
+            phi_2861_ = abi_Sample(vec3<f32>(_e1566, _e1567, _e1568), _e1931, _e1679, _e1936, _e2128, ((select(select(u32(_e2151), 0u, (_e2151 < bitcast<f32>(0u))), 4294967295u, (_e2151 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2160), 0u, (_e2160 < bitcast<f32>(0u))), 4294967295u, (_e2160 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2172), 0u, (_e2172 < bitcast<f32>(0u))), 4294967295u, (_e2172 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2634_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2861_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e1876 = phi_2634_;
-        if (_e92.first_primitive < arrayLength((&samples.member))) {
+        let _e2186 = phi_2861_;
+        if (_e95.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e92.first_primitive)] = _e1876;
+        samples.member[(0u + _e95.first_primitive)] = _e2186;
     }
     return;
 }

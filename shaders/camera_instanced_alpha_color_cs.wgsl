@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -21,11 +13,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -40,11 +40,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -70,7 +70,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_40 {
+struct type_36 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -96,7 +96,7 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_49 {
+struct type_45 {
     member: array<abi_Sample>,
 }
 
@@ -113,7 +113,7 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct type_58 {
+struct type_53 {
     member: abi_CameraParams,
 }
 
@@ -125,7 +125,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_63 {
+struct type_58 {
     member: array<lt_bvh_Node>,
 }
 
@@ -157,2671 +157,2942 @@ struct lt_bvh_triangle_Intersection {
 }
 
 @group(0) @binding(3) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(4) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_58;
+var<uniform> p: type_53;
 @group(0) @binding(1) 
-var<storage> nodes: type_63;
+var<storage> nodes: type_58;
 @group(0) @binding(2) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_49;
+var<storage, read_write> samples: type_45;
 @group(0) @binding(6) 
-var<storage> instances: type_40;
+var<storage> instances: type_36;
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_22;
+var<storage> alpha_texels: type_20;
 @group(0) @binding(8) 
-var<storage> color_texels: type_22;
+var<storage> color_texels: type_20;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e78 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e78), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e78), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e78), (f32((param >> bitcast<u32>(24i))) * _e78));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_244_: f32;
+    var phi_249_: f32;
+    var phi_250_: bool;
+    var phi_251_: f32;
+    var phi_252_: bool;
+    var phi_256_: f32;
+    var phi_282_: f32;
+    var phi_287_: f32;
+    var phi_288_: bool;
+    var phi_289_: f32;
+    var phi_290_: bool;
+    var phi_294_: f32;
+    var phi_302_: f32;
+    var phi_303_: f32;
+    var phi_304_: f32;
+    var phi_313_: f32;
+    var phi_314_: f32;
+    var phi_332_: u32;
+    var phi_346_: u32;
+    var phi_353_: u32;
+    var phi_358_: u32;
+    var phi_364_: u32;
+    var phi_369_: u32;
+    var phi_371_: texture_Axis;
+    var phi_399_: f32;
+    var phi_404_: f32;
+    var phi_405_: bool;
+    var phi_406_: f32;
+    var phi_407_: bool;
+    var phi_411_: f32;
+    var phi_437_: f32;
+    var phi_442_: f32;
+    var phi_443_: bool;
+    var phi_444_: f32;
+    var phi_445_: bool;
+    var phi_449_: f32;
+    var phi_457_: f32;
+    var phi_458_: f32;
+    var phi_459_: f32;
+    var phi_468_: f32;
+    var phi_469_: f32;
+    var phi_487_: u32;
+    var phi_501_: u32;
+    var phi_508_: u32;
+    var phi_513_: u32;
+    var phi_519_: u32;
+    var phi_524_: u32;
+    var phi_526_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e68 = (*param_1)[0u].color;
-    let _e69 = lt_shaders_texture_unorm_bytes(_e68);
-    let _e81 = (*param_1)[1u].color;
-    let _e82 = lt_shaders_texture_unorm_bytes(_e81);
-    let _e98 = (*param_1)[2u].color;
-    let _e99 = lt_shaders_texture_unorm_bytes(_e98);
-    return vec4<f32>((((_e69.x * param_2.x) + (_e82.x * param_2.y)) + (_e99.x * param_2.z)), (((_e69.y * param_2.x) + (_e82.y * param_2.y)) + (_e99.y * param_2.z)), (((_e69.z * param_2.x) + (_e82.z * param_2.y)) + (_e99.z * param_2.z)), (((_e69.w * param_2.x) + (_e82.w * param_2.y)) + (_e99.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e68 = (*param_3)[0u].u;
-    let _e71 = (*param_3)[0u].v;
-    let _e77 = (*param_3)[1u].u;
-    let _e80 = (*param_3)[1u].v;
-    let _e88 = (*param_3)[2u].u;
-    let _e91 = (*param_3)[2u].v;
-    return vec2<f32>((((_e68 * param_4.x) + (_e77 * param_4.y)) + (_e88 * param_4.z)), (((_e71 * param_4.x) + (_e80 * param_4.y)) + (_e91 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_486_: f32;
-    var phi_487_: f32;
-    var phi_488_: f32;
-    var phi_497_: f32;
-    var phi_498_: f32;
-
-    if (param_6 == 0u) {
-        phi_488_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e73 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e73 > 1f) {
-                phi_486_ = (2f - _e73);
+    let _e74 = (*param).size;
+    let _e75 = (_e74 & 65535u);
+    let _e77 = (*param).size;
+    let _e79 = (_e77 >> bitcast<u32>(16i));
+    let _e81 = (*param).flags;
+    let _e83 = ((_e81 & 4u) != 0u);
+    let _e85 = (*param).flags;
+    let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
+    if (_e88 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e101 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e101 > param_1) {
+                phi_244_ = 1f;
             } else {
-                phi_486_ = _e73;
+                phi_244_ = 0f;
             }
-            let _e77 = phi_486_;
-            phi_487_ = _e77;
+            let _e104 = phi_244_;
+            if (param_1 < 8388608f) {
+                phi_249_ = (_e101 - _e104);
+                phi_250_ = false;
+            } else {
+                phi_249_ = f32();
+                phi_250_ = true;
+            }
+            let _e107 = phi_249_;
+            let _e109 = phi_250_;
+            phi_251_ = _e107;
+            phi_252_ = _e109;
         } else {
-            phi_487_ = param_5;
+            phi_251_ = f32();
+            phi_252_ = true;
         }
-        let _e79 = phi_487_;
-        phi_488_ = _e79;
-    }
-    let _e81 = phi_488_;
-    if (_e81 > 0f) {
-        if (_e81 < 1f) {
-            phi_497_ = _e81;
+        let _e111 = phi_251_;
+        let _e113 = phi_252_;
+        if _e113 {
+            phi_256_ = param_1;
         } else {
-            phi_497_ = 1f;
+            phi_256_ = _e111;
         }
-        let _e85 = phi_497_;
-        phi_498_ = _e85;
+        let _e115 = phi_256_;
+        phi_304_ = (param_1 - _e115);
     } else {
-        phi_498_ = 0f;
-    }
-    let _e87 = phi_498_;
-    return _e87;
-}
-
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_424_: u32;
-    var phi_438_: u32;
-    var phi_445_: u32;
-    var phi_450_: u32;
-    var phi_456_: u32;
-    var phi_461_: u32;
-    var phi_463_: texture_Axis;
-
-    let _e68 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e69 = (param_8 - 1u);
-    let _e71 = (_e68 * f32(param_8));
-    if param_10 {
-        let _e78 = select(select(u32(_e71), 0u, (_e71 < bitcast<f32>(0u))), 4294967295u, (_e71 > bitcast<f32>(1333788671u)));
-        if (_e69 < _e78) {
-            phi_424_ = _e69;
+        if (_e88 == 1u) {
+            let _e118 = (param_1 * 0.5f);
+            if (_e118 > -8388608f) {
+                let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
+                if (_e130 > _e118) {
+                    phi_282_ = 1f;
+                } else {
+                    phi_282_ = 0f;
+                }
+                let _e133 = phi_282_;
+                if (_e118 < 8388608f) {
+                    phi_287_ = (_e130 - _e133);
+                    phi_288_ = false;
+                } else {
+                    phi_287_ = f32();
+                    phi_288_ = true;
+                }
+                let _e136 = phi_287_;
+                let _e138 = phi_288_;
+                phi_289_ = _e136;
+                phi_290_ = _e138;
+            } else {
+                phi_289_ = f32();
+                phi_290_ = true;
+            }
+            let _e140 = phi_289_;
+            let _e142 = phi_290_;
+            if _e142 {
+                phi_294_ = _e118;
+            } else {
+                phi_294_ = _e140;
+            }
+            let _e144 = phi_294_;
+            let _e146 = (param_1 - (2f * _e144));
+            if (_e146 > 1f) {
+                phi_302_ = (2f - _e146);
+            } else {
+                phi_302_ = _e146;
+            }
+            let _e150 = phi_302_;
+            phi_303_ = _e150;
         } else {
-            phi_424_ = _e78;
+            phi_303_ = param_1;
         }
-        let _e81 = phi_424_;
-        phi_463_ = texture_Axis(_e81, _e81, 0f);
+        let _e152 = phi_303_;
+        phi_304_ = _e152;
+    }
+    let _e154 = phi_304_;
+    if (_e154 > 0f) {
+        if (_e154 < 1f) {
+            phi_313_ = _e154;
+        } else {
+            phi_313_ = 1f;
+        }
+        let _e158 = phi_313_;
+        phi_314_ = _e158;
     } else {
-        let _e83 = (_e71 + 0.5f);
-        let _e90 = select(select(u32(_e83), 0u, (_e83 < bitcast<f32>(0u))), 4294967295u, (_e83 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e90) {
-            phi_438_ = param_8;
-        } else {
-            phi_438_ = _e90;
-        }
-        let _e93 = phi_438_;
-        if (param_9 == 0u) {
-            phi_445_ = _e69;
-        } else {
-            phi_445_ = 0u;
-        }
-        let _e98 = phi_445_;
-        if (param_9 == 0u) {
-            phi_450_ = 0u;
-        } else {
-            phi_450_ = _e69;
-        }
-        let _e101 = phi_450_;
-        if (_e93 == 0u) {
-            phi_456_ = _e98;
-        } else {
-            phi_456_ = (_e93 - 1u);
-        }
-        let _e105 = phi_456_;
-        if (_e93 > _e69) {
-            phi_461_ = _e101;
-        } else {
-            phi_461_ = _e93;
-        }
-        let _e108 = phi_461_;
-        phi_463_ = texture_Axis(_e105, _e108, (_e83 - f32(_e93)));
+        phi_314_ = 0f;
     }
-    let _e111 = phi_463_;
-    return _e111;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e68 = (*param_11).size;
-    let _e69 = (_e68 & 65535u);
-    let _e71 = (*param_11).size;
-    let _e75 = (*param_11).flags;
-    let _e77 = ((_e75 & 4u) != 0u);
-    let _e79 = (*param_11).flags;
-    let _e83 = lt_shaders_texture_axis(param_12, _e69, ((_e79 >> bitcast<u32>(4u)) & 3u), _e77);
-    let _e85 = (*param_11).flags;
-    let _e89 = lt_shaders_texture_axis(param_13, (_e71 >> bitcast<u32>(16i)), ((_e85 >> bitcast<u32>(6u)) & 3u), _e77);
-    let _e93 = (*param_11).offset;
-    let _e100 = (*param_11).offset;
-    let _e107 = (*param_11).offset;
-    let _e114 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e93 + (_e89.low * _e69)) + _e83.low), ((_e100 + (_e89.low * _e69)) + _e83.high), ((_e107 + (_e89.high * _e69)) + _e83.low), ((_e114 + (_e89.high * _e69)) + _e83.high)), vec4<f32>(((1f - _e83.fraction) * (1f - _e89.fraction)), (_e83.fraction * (1f - _e89.fraction)), ((1f - _e83.fraction) * _e89.fraction), (_e83.fraction * _e89.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_14: vec3<u32>, param_15: u32, param_16: u32) -> lt_bvh_traverse_Tree {
-    var phi_518_: lt_bvh_traverse_Tree;
-    var phi_519_: bool;
-    var phi_520_: lt_bvh_traverse_Tree;
-    var phi_521_: bool;
-    var phi_526_: lt_bvh_traverse_Tree;
-
-    if (param_14.x < param_15) {
-        if (param_14.y < param_16) {
-            phi_518_ = lt_bvh_traverse_Tree(1u, ((param_14.y * param_15) + param_14.x));
-            phi_519_ = false;
-        } else {
-            phi_518_ = lt_bvh_traverse_Tree();
-            phi_519_ = true;
-        }
-        let _e77 = phi_518_;
-        let _e79 = phi_519_;
-        phi_520_ = _e77;
-        phi_521_ = _e79;
-    } else {
-        phi_520_ = lt_bvh_traverse_Tree();
-        phi_521_ = true;
-    }
-    let _e81 = phi_520_;
-    let _e83 = phi_521_;
+    let _e160 = phi_314_;
+    let _e161 = (_e75 - 1u);
+    let _e163 = (_e160 * f32(_e75));
     if _e83 {
-        phi_526_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_526_ = _e81;
-    }
-    let _e88 = phi_526_;
-    return lt_bvh_traverse_Tree(_e88.root, _e88.first_primitive);
-}
-
-fn lt_shaders_shade_unit(param_17: f32) -> f32 {
-    var phi_540_: f32;
-    var phi_541_: f32;
-
-    if (param_17 > 0f) {
-        if (param_17 < 1f) {
-            phi_540_ = param_17;
+        let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
+        if (_e161 < _e170) {
+            phi_332_ = _e161;
         } else {
-            phi_540_ = 1f;
+            phi_332_ = _e170;
         }
-        let _e68 = phi_540_;
-        phi_541_ = _e68;
+        let _e173 = phi_332_;
+        phi_371_ = texture_Axis(_e173, _e173, 0f);
     } else {
-        phi_541_ = 0f;
+        let _e175 = (_e163 + 0.5f);
+        let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
+        if (_e75 < _e182) {
+            phi_346_ = _e75;
+        } else {
+            phi_346_ = _e182;
+        }
+        let _e185 = phi_346_;
+        if (_e88 == 0u) {
+            phi_353_ = _e161;
+        } else {
+            phi_353_ = 0u;
+        }
+        let _e190 = phi_353_;
+        if (_e88 == 0u) {
+            phi_358_ = 0u;
+        } else {
+            phi_358_ = _e161;
+        }
+        let _e193 = phi_358_;
+        if (_e185 == 0u) {
+            phi_364_ = _e190;
+        } else {
+            phi_364_ = (_e185 - 1u);
+        }
+        let _e197 = phi_364_;
+        if (_e185 > _e161) {
+            phi_369_ = _e193;
+        } else {
+            phi_369_ = _e185;
+        }
+        let _e200 = phi_369_;
+        phi_371_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
     }
-    let _e70 = phi_541_;
-    return _e70;
+    let _e203 = phi_371_;
+    let _e205 = (*param).flags;
+    let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
+    if (_e208 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e221 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e221 > param_2) {
+                phi_399_ = 1f;
+            } else {
+                phi_399_ = 0f;
+            }
+            let _e224 = phi_399_;
+            if (param_2 < 8388608f) {
+                phi_404_ = (_e221 - _e224);
+                phi_405_ = false;
+            } else {
+                phi_404_ = f32();
+                phi_405_ = true;
+            }
+            let _e227 = phi_404_;
+            let _e229 = phi_405_;
+            phi_406_ = _e227;
+            phi_407_ = _e229;
+        } else {
+            phi_406_ = f32();
+            phi_407_ = true;
+        }
+        let _e231 = phi_406_;
+        let _e233 = phi_407_;
+        if _e233 {
+            phi_411_ = param_2;
+        } else {
+            phi_411_ = _e231;
+        }
+        let _e235 = phi_411_;
+        phi_459_ = (param_2 - _e235);
+    } else {
+        if (_e208 == 1u) {
+            let _e238 = (param_2 * 0.5f);
+            if (_e238 > -8388608f) {
+                let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
+                if (_e250 > _e238) {
+                    phi_437_ = 1f;
+                } else {
+                    phi_437_ = 0f;
+                }
+                let _e253 = phi_437_;
+                if (_e238 < 8388608f) {
+                    phi_442_ = (_e250 - _e253);
+                    phi_443_ = false;
+                } else {
+                    phi_442_ = f32();
+                    phi_443_ = true;
+                }
+                let _e256 = phi_442_;
+                let _e258 = phi_443_;
+                phi_444_ = _e256;
+                phi_445_ = _e258;
+            } else {
+                phi_444_ = f32();
+                phi_445_ = true;
+            }
+            let _e260 = phi_444_;
+            let _e262 = phi_445_;
+            if _e262 {
+                phi_449_ = _e238;
+            } else {
+                phi_449_ = _e260;
+            }
+            let _e264 = phi_449_;
+            let _e266 = (param_2 - (2f * _e264));
+            if (_e266 > 1f) {
+                phi_457_ = (2f - _e266);
+            } else {
+                phi_457_ = _e266;
+            }
+            let _e270 = phi_457_;
+            phi_458_ = _e270;
+        } else {
+            phi_458_ = param_2;
+        }
+        let _e272 = phi_458_;
+        phi_459_ = _e272;
+    }
+    let _e274 = phi_459_;
+    if (_e274 > 0f) {
+        if (_e274 < 1f) {
+            phi_468_ = _e274;
+        } else {
+            phi_468_ = 1f;
+        }
+        let _e278 = phi_468_;
+        phi_469_ = _e278;
+    } else {
+        phi_469_ = 0f;
+    }
+    let _e280 = phi_469_;
+    let _e281 = (_e79 - 1u);
+    let _e283 = (_e280 * f32(_e79));
+    if _e83 {
+        let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
+        if (_e281 < _e290) {
+            phi_487_ = _e281;
+        } else {
+            phi_487_ = _e290;
+        }
+        let _e293 = phi_487_;
+        phi_526_ = texture_Axis(_e293, _e293, 0f);
+    } else {
+        let _e295 = (_e283 + 0.5f);
+        let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
+        if (_e79 < _e302) {
+            phi_501_ = _e79;
+        } else {
+            phi_501_ = _e302;
+        }
+        let _e305 = phi_501_;
+        if (_e208 == 0u) {
+            phi_508_ = _e281;
+        } else {
+            phi_508_ = 0u;
+        }
+        let _e310 = phi_508_;
+        if (_e208 == 0u) {
+            phi_513_ = 0u;
+        } else {
+            phi_513_ = _e281;
+        }
+        let _e313 = phi_513_;
+        if (_e305 == 0u) {
+            phi_519_ = _e310;
+        } else {
+            phi_519_ = (_e305 - 1u);
+        }
+        let _e317 = phi_519_;
+        if (_e305 > _e281) {
+            phi_524_ = _e313;
+        } else {
+            phi_524_ = _e305;
+        }
+        let _e320 = phi_524_;
+        phi_526_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
+    }
+    let _e323 = phi_526_;
+    let _e327 = (*param).offset;
+    let _e334 = (*param).offset;
+    let _e341 = (*param).offset;
+    let _e348 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
 }
 
-fn lt_shaders_shade_sqrt(param_18: f32) -> f32 {
-    return sqrt(param_18);
-}
-
-fn lt_shaders_shade_pack_bytes(param_19: vec3<f32>) -> u32 {
-    let _e67 = ((param_19.x * 255f) + 0.5f);
-    let _e77 = ((param_19.y * 255f) + 0.5f);
-    let _e90 = ((param_19.z * 255f) + 0.5f);
-    return ((select(select(u32(_e67), 0u, (_e67 < bitcast<f32>(0u))), 4294967295u, (_e67 > bitcast<f32>(1333788671u))) | (select(select(u32(_e77), 0u, (_e77 < bitcast<f32>(0u))), 4294967295u, (_e77 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e90), 0u, (_e90 < bitcast<f32>(0u))), 4294967295u, (_e90 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i)));
-}
-
-fn _lt_bvh_ray_Ray_new(param_20: vec3<f32>, param_21: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_20, 0f, param_21, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_22: f32, param_23: f32) -> f32 {
+fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
+    var phi_593_: lt_bvh_traverse_Tree;
+    var phi_594_: bool;
+    var phi_595_: lt_bvh_traverse_Tree;
     var phi_596_: bool;
-    var phi_600_: f32;
+    var phi_601_: lt_bvh_traverse_Tree;
 
-    if (param_22 != param_22) {
+    if (param_3.x < param_4) {
+        if (param_3.y < param_5) {
+            phi_593_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
+            phi_594_ = false;
+        } else {
+            phi_593_ = lt_bvh_traverse_Tree();
+            phi_594_ = true;
+        }
+        let _e83 = phi_593_;
+        let _e85 = phi_594_;
+        phi_595_ = _e83;
+        phi_596_ = _e85;
+    } else {
+        phi_595_ = lt_bvh_traverse_Tree();
         phi_596_ = true;
+    }
+    let _e87 = phi_595_;
+    let _e89 = phi_596_;
+    if _e89 {
+        phi_601_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        let _e67 = (param_23 >= param_22);
-        if _e67 {
+        phi_601_ = _e87;
+    }
+    let _e94 = phi_601_;
+    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+}
+
+fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
+}
+
+fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
+    var phi_620_: bool;
+    var phi_624_: f32;
+
+    if (param_8 != param_8) {
+        phi_620_ = true;
+    } else {
+        let _e73 = (param_9 >= param_8);
+        if _e73 {
         }
-        phi_596_ = _e67;
+        phi_620_ = _e73;
     }
-    let _e69 = phi_596_;
-    if _e69 {
-        phi_600_ = param_23;
+    let _e75 = phi_620_;
+    if _e75 {
+        phi_624_ = param_9;
     } else {
-        phi_600_ = param_22;
+        phi_624_ = param_8;
     }
-    let _e71 = phi_600_;
-    return _e71;
+    let _e77 = phi_624_;
+    return _e77;
 }
 
-fn core_intrinsics_minimum_number_nsz_f32_(param_24: f32, param_25: f32) -> f32 {
-    var phi_612_: bool;
-    var phi_616_: f32;
+fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
+    var phi_636_: bool;
+    var phi_640_: f32;
 
-    if (param_24 != param_24) {
-        phi_612_ = true;
+    if (param_10 != param_10) {
+        phi_636_ = true;
     } else {
-        let _e67 = (param_25 <= param_24);
-        if _e67 {
+        let _e73 = (param_11 <= param_10);
+        if _e73 {
         }
-        phi_612_ = _e67;
+        phi_636_ = _e73;
     }
-    let _e69 = phi_612_;
-    if _e69 {
-        phi_616_ = param_25;
+    let _e75 = phi_636_;
+    if _e75 {
+        phi_640_ = param_11;
     } else {
-        phi_616_ = param_24;
+        phi_640_ = param_10;
     }
-    let _e71 = phi_616_;
-    return _e71;
+    let _e77 = phi_640_;
+    return _e77;
 }
 
-fn lt_shaders_surface_barycentric_weights(param_26: f32, param_27: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_26) - param_27), param_26, param_27);
-}
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
+    var phi_648_: f32;
 
-fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_28: f32, param_29: f32) -> f32 {
-    var phi_630_: f32;
-
-    if (param_28 > param_29) {
-        phi_630_ = param_28;
+    if (param_12 > param_13) {
+        phi_648_ = param_12;
     } else {
-        phi_630_ = param_29;
+        phi_648_ = param_13;
     }
-    let _e68 = phi_630_;
-    return _e68;
-}
-
-fn lt_shaders_camera_facing(param_30: vec3<f32>, param_31: vec3<f32>) -> vec3<f32> {
-    var phi_650_: vec3<f32>;
-
-    if ((((param_30.x * param_31.x) + (param_30.y * param_31.y)) + (param_30.z * param_31.z)) < 0f) {
-        phi_650_ = -(param_30);
-    } else {
-        phi_650_ = param_30;
-    }
-    let _e80 = phi_650_;
-    return _e80;
-}
-
-fn lt_shaders_surface_plain_color(param_32: ptr<function, abi_Material>, param_33: ptr<function, array<abi_Vertex, 3>>, param_34: vec3<f32>) -> vec3<f32> {
-    let _e68 = (*param_32).base_color;
-    let _e72 = lt_shaders_surface_vertex_color(param_33, param_34);
-    return vec3<f32>((_e68.x * _e72.x), (_e68.y * _e72.y), (_e68.z * _e72.z));
-}
-
-fn lt_shaders_surface_octahedral_decode(param_35: u32) -> vec3<f32> {
-    var phi_690_: f32;
-    var phi_697_: f32;
-    var phi_704_: f32;
-
-    let _e72 = (f32((bitcast<i32>((param_35 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e78 = (f32((bitcast<i32>(param_35) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e82 = ((1f - abs(_e72)) - abs(_e78));
-    if (_e82 < 0f) {
-        phi_690_ = -(_e82);
-    } else {
-        phi_690_ = 0f;
-    }
-    let _e86 = phi_690_;
-    if (_e72 < 0f) {
-        phi_697_ = (_e72 + _e86);
-    } else {
-        phi_697_ = (_e72 - _e86);
-    }
-    let _e91 = phi_697_;
-    if (_e78 < 0f) {
-        phi_704_ = (_e78 + _e86);
-    } else {
-        phi_704_ = (_e78 - _e86);
-    }
-    let _e96 = phi_704_;
-    let _e103 = (1f / sqrt((((_e91 * _e91) + (_e96 * _e96)) + (_e82 * _e82))));
-    return vec3<f32>((_e91 * _e103), (_e96 * _e103), (_e82 * _e103));
-}
-
-fn lt_shaders_shade_pack_albedo(param_36: vec3<f32>) -> u32 {
-    let _e66 = lt_shaders_shade_unit(param_36.x);
-    let _e67 = lt_shaders_shade_sqrt(_e66);
-    let _e69 = lt_shaders_shade_unit(param_36.y);
-    let _e70 = lt_shaders_shade_sqrt(_e69);
-    let _e72 = lt_shaders_shade_unit(param_36.z);
-    let _e73 = lt_shaders_shade_sqrt(_e72);
-    let _e75 = lt_shaders_shade_pack_bytes(vec3<f32>(_e67, _e70, _e73));
-    return _e75;
+    let _e74 = phi_648_;
+    return _e74;
 }
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<abi_Vertex, 3>;
-    var local_2: abi_Material;
-    var local_3: texture_TextureView;
-    var local_4: array<abi_Vertex, 3>;
-    var local_5: lt_bvh_traverse_Stack;
-    var local_6: lt_bvh_traverse_Stack;
-    var phi_892_: bool;
-    var phi_893_: bool;
-    var phi_894_: bool;
-    var phi_898_: bool;
-    var phi_899_: bool;
-    var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_902_: bool;
-    var phi_903_: bool;
-    var phi_904_: bool;
-    var phi_905_: bool;
-    var phi_906_: bool;
-    var phi_907_: bool;
-    var phi_908_: bool;
-    var phi_909_: bool;
-    var phi_910_: bool;
-    var phi_911_: bool;
-    var phi_912_: bool;
-    var phi_913_: bool;
-    var phi_914_: bool;
-    var phi_915_: bool;
-    var phi_919_: bool;
-    var phi_923_: bool;
-    var phi_998_: f32;
-    var phi_1005_: f32;
-    var phi_1013_: f32;
-    var phi_1020_: f32;
-    var phi_1028_: f32;
-    var phi_1035_: f32;
-    var phi_1060_: f32;
-    var phi_1065_: f32;
-    var phi_1070_: f32;
-    var phi_1092_: u32;
-    var phi_1097_: u32;
-    var phi_1102_: u32;
-    var phi_1216_: bool;
-    var phi_1217_: bool;
-    var phi_1248_: u32;
-    var phi_1250_: u32;
-    var phi_1253_: lt_bvh_Hit;
-    var phi_1338_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1365_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1392_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1398_: u32;
-    var phi_1401_: u32;
-    var phi_1415_: u32;
-    var phi_1425_: u32;
-    var phi_1435_: u32;
-    var phi_1453_: u32;
-    var phi_1463_: u32;
-    var phi_1473_: u32;
-    var phi_1509_: u32;
-    var phi_1522_: u32;
-    var phi_1527_: u32;
-    var phi_1528_: u32;
-    var phi_1529_: u32;
-    var phi_1399_: u32;
-    var phi_1402_: u32;
+    var local_1: texture_TextureView;
+    var local_2: lt_bvh_traverse_Stack;
+    var local_3: lt_bvh_traverse_Stack;
+    var phi_809_: bool;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: bool;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_832_: bool;
+    var phi_836_: bool;
+    var phi_840_: bool;
+    var phi_915_: f32;
+    var phi_922_: f32;
+    var phi_930_: f32;
+    var phi_937_: f32;
+    var phi_945_: f32;
+    var phi_952_: f32;
+    var phi_977_: f32;
+    var phi_982_: f32;
+    var phi_987_: f32;
+    var phi_1009_: u32;
+    var phi_1014_: u32;
+    var phi_1019_: u32;
+    var phi_1133_: bool;
+    var phi_1134_: bool;
+    var phi_1165_: u32;
+    var phi_1167_: u32;
+    var phi_1170_: lt_bvh_Hit;
+    var phi_1255_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1282_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1309_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1315_: u32;
+    var phi_1318_: u32;
+    var phi_1332_: u32;
+    var phi_1342_: u32;
+    var phi_1352_: u32;
+    var phi_1370_: u32;
+    var phi_1380_: u32;
+    var phi_1390_: u32;
+    var phi_1426_: u32;
+    var phi_1439_: u32;
+    var phi_1444_: u32;
+    var phi_1445_: u32;
+    var phi_1446_: u32;
+    var phi_1316_: u32;
+    var phi_1319_: u32;
+    var local_4: u32;
+    var local_5: u32;
+    var local_6: u32;
+    var phi_1504_: u32;
+    var phi_1507_: lt_bvh_Hit;
+    var phi_1562_: f32;
+    var phi_1567_: f32;
+    var phi_1572_: f32;
+    var phi_1580_: f32;
+    var phi_1585_: f32;
+    var phi_1590_: f32;
+    var phi_1746_: bool;
+    var phi_1747_: bool;
+    var phi_1748_: bool;
+    var phi_1752_: bool;
+    var phi_1753_: bool;
+    var phi_1754_: bool;
+    var phi_1755_: bool;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1758_: bool;
+    var phi_1759_: bool;
+    var phi_1760_: bool;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1765_: bool;
+    var phi_1766_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1773_: bool;
+    var phi_1777_: bool;
+    var phi_1847_: f32;
+    var phi_1854_: f32;
+    var phi_1861_: f32;
+    var phi_1868_: f32;
+    var phi_1875_: f32;
+    var phi_1882_: f32;
+    var phi_1899_: f32;
+    var phi_1904_: f32;
+    var phi_1909_: f32;
+    var phi_1937_: bool;
+    var phi_1938_: bool;
+    var phi_1946_: u32;
+    var phi_1947_: u32;
+    var phi_1958_: vec3<f32>;
+    var phi_1959_: vec3<f32>;
+    var phi_1972_: u32;
+    var phi_1977_: u32;
+    var phi_1982_: u32;
+    var phi_2096_: bool;
+    var phi_2097_: bool;
+    var phi_2128_: u32;
+    var phi_2130_: lt_bvh_Hit;
+    var phi_2133_: u32;
+    var phi_2214_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2241_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2268_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2274_: u32;
+    var phi_2277_: u32;
+    var phi_2291_: u32;
+    var phi_2301_: u32;
+    var phi_2311_: u32;
+    var phi_2329_: u32;
+    var phi_2339_: u32;
+    var phi_2349_: u32;
+    var phi_2385_: u32;
+    var phi_2398_: u32;
+    var phi_2403_: u32;
+    var phi_2404_: u32;
+    var phi_2405_: u32;
+    var phi_2275_: u32;
+    var phi_2278_: u32;
     var local_7: u32;
     var local_8: u32;
     var local_9: u32;
-    var phi_1587_: u32;
-    var phi_1590_: lt_bvh_Hit;
-    var phi_1645_: f32;
-    var phi_1650_: f32;
-    var phi_1655_: f32;
-    var phi_1663_: f32;
-    var phi_1668_: f32;
-    var phi_1673_: f32;
-    var phi_1828_: bool;
-    var phi_1829_: bool;
-    var phi_1830_: bool;
-    var phi_1834_: bool;
-    var phi_1835_: bool;
-    var phi_1836_: bool;
-    var phi_1837_: bool;
-    var phi_1838_: bool;
-    var phi_1839_: bool;
-    var phi_1840_: bool;
-    var phi_1841_: bool;
-    var phi_1842_: bool;
-    var phi_1843_: bool;
-    var phi_1844_: bool;
-    var phi_1845_: bool;
-    var phi_1846_: bool;
-    var phi_1847_: bool;
-    var phi_1848_: bool;
-    var phi_1849_: bool;
-    var phi_1850_: bool;
-    var phi_1851_: bool;
-    var phi_1855_: bool;
-    var phi_1859_: bool;
-    var phi_1929_: f32;
-    var phi_1936_: f32;
-    var phi_1943_: f32;
-    var phi_1950_: f32;
-    var phi_1957_: f32;
-    var phi_1964_: f32;
-    var phi_1981_: f32;
-    var phi_1986_: f32;
-    var phi_1991_: f32;
-    var phi_2019_: bool;
-    var phi_2020_: bool;
-    var phi_2028_: u32;
-    var phi_2029_: u32;
-    var phi_2040_: vec3<f32>;
-    var phi_2041_: vec3<f32>;
-    var phi_2054_: u32;
-    var phi_2059_: u32;
-    var phi_2064_: u32;
-    var phi_2178_: bool;
-    var phi_2179_: bool;
-    var phi_2210_: u32;
-    var phi_2212_: lt_bvh_Hit;
-    var phi_2215_: u32;
-    var phi_2296_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2323_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2350_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2356_: u32;
-    var phi_2359_: u32;
-    var phi_2373_: u32;
-    var phi_2383_: u32;
-    var phi_2393_: u32;
-    var phi_2411_: u32;
-    var phi_2421_: u32;
-    var phi_2431_: u32;
-    var phi_2467_: u32;
-    var phi_2480_: u32;
-    var phi_2485_: u32;
-    var phi_2486_: u32;
-    var phi_2487_: u32;
-    var phi_2357_: u32;
-    var phi_2360_: u32;
-    var local_10: u32;
-    var local_11: u32;
-    var local_12: u32;
-    var phi_2545_: lt_bvh_Hit;
-    var phi_2548_: u32;
-    var phi_2592_: vec3<f32>;
-    var phi_2593_: vec3<f32>;
-    var phi_2624_: vec3<f32>;
-    var phi_2625_: vec3<f32>;
-    var phi_2656_: vec3<f32>;
-    var phi_2657_: vec3<f32>;
-    var phi_2677_: bool;
-    var phi_2678_: bool;
+    var phi_2463_: lt_bvh_Hit;
+    var phi_2466_: u32;
+    var phi_2510_: vec3<f32>;
+    var phi_2511_: vec3<f32>;
+    var phi_2542_: vec3<f32>;
+    var phi_2543_: vec3<f32>;
+    var phi_2574_: vec3<f32>;
+    var phi_2575_: vec3<f32>;
+    var phi_2595_: bool;
+    var phi_2596_: bool;
+    var phi_2600_: f32;
+    var phi_2601_: f32;
+    var phi_2602_: f32;
+    var phi_2603_: f32;
+    var phi_2611_: f32;
+    var phi_2621_: bool;
+    var phi_2622_: bool;
+    var phi_2626_: f32;
+    var phi_2627_: f32;
+    var phi_2628_: f32;
+    var phi_2629_: f32;
+    var phi_2637_: f32;
+    var phi_2647_: bool;
+    var phi_2648_: bool;
+    var phi_2652_: f32;
+    var phi_2653_: f32;
+    var phi_2654_: f32;
+    var phi_2655_: f32;
+    var phi_2663_: f32;
+    var phi_2678_: f32;
+    var phi_2679_: bool;
+    var phi_2680_: f32;
+    var phi_2681_: bool;
     var phi_2682_: f32;
-    var phi_2683_: f32;
-    var phi_2684_: f32;
-    var phi_2685_: f32;
-    var phi_2693_: f32;
+    var phi_2683_: bool;
+    var phi_2701_: f32;
+    var phi_2702_: bool;
     var phi_2703_: bool;
-    var phi_2704_: bool;
-    var phi_2708_: f32;
-    var phi_2709_: f32;
-    var phi_2710_: f32;
+    var phi_2704_: f32;
+    var phi_2705_: bool;
+    var phi_2706_: bool;
+    var phi_2710_: bool;
     var phi_2711_: f32;
-    var phi_2719_: f32;
-    var phi_2729_: bool;
-    var phi_2730_: bool;
-    var phi_2734_: f32;
-    var phi_2735_: f32;
-    var phi_2736_: f32;
-    var phi_2737_: f32;
-    var phi_2745_: f32;
-    var phi_2760_: f32;
-    var phi_2761_: bool;
-    var phi_2762_: f32;
-    var phi_2763_: bool;
+    var phi_2712_: bool;
+    var phi_2746_: f32;
+    var phi_2755_: f32;
     var phi_2764_: f32;
-    var phi_2765_: bool;
-    var phi_2783_: f32;
-    var phi_2784_: bool;
-    var phi_2785_: bool;
-    var phi_2786_: f32;
-    var phi_2787_: bool;
-    var phi_2788_: bool;
-    var phi_2792_: bool;
-    var phi_2793_: f32;
-    var phi_2794_: bool;
-    var phi_2820_: f32;
-    var phi_2829_: f32;
-    var phi_2838_: f32;
-    var phi_2847_: f32;
-    var phi_2854_: f32;
-    var phi_2861_: f32;
-    var phi_2874_: f32;
-    var phi_2883_: f32;
-    var phi_2892_: f32;
-    var phi_2901_: f32;
+    var phi_2773_: f32;
+    var phi_2780_: f32;
+    var phi_2787_: f32;
+    var phi_2800_: f32;
+    var phi_2809_: f32;
+    var phi_2818_: f32;
+    var phi_2827_: f32;
+    var phi_2834_: f32;
+    var phi_2841_: f32;
+    var phi_2858_: f32;
+    var phi_2863_: f32;
+    var phi_2868_: f32;
+    var phi_2876_: f32;
+    var phi_2881_: f32;
+    var phi_2886_: f32;
+    var phi_2898_: f32;
+    var phi_2903_: f32;
     var phi_2908_: f32;
-    var phi_2915_: f32;
-    var phi_2932_: f32;
-    var phi_2937_: f32;
-    var phi_2942_: f32;
-    var phi_2950_: f32;
-    var phi_2955_: f32;
-    var phi_2960_: f32;
-    var phi_2972_: f32;
-    var phi_2977_: f32;
-    var phi_2982_: f32;
-    var phi_2987_: f32;
-    var phi_2992_: lt_bvh_triangle_Intersection;
-    var phi_2993_: lt_bvh_triangle_Intersection;
-    var phi_2994_: bool;
-    var phi_2998_: lt_bvh_triangle_Intersection;
-    var phi_3036_: bool;
-    var phi_3037_: bool;
-    var phi_3038_: bool;
-    var phi_3039_: bool;
-    var phi_3040_: bool;
-    var phi_3041_: bool;
-    var phi_3045_: bool;
-    var phi_3046_: bool;
-    var phi_3244_: f32;
-    var phi_3247_: bool;
-    var phi_3248_: bool;
+    var phi_2913_: f32;
+    var phi_2918_: lt_bvh_triangle_Intersection;
+    var phi_2919_: bool;
+    var phi_2920_: lt_bvh_triangle_Intersection;
+    var phi_2921_: bool;
+    var phi_2925_: lt_bvh_triangle_Intersection;
+    var phi_2926_: bool;
+    var phi_2927_: lt_bvh_triangle_Intersection;
+    var phi_2928_: bool;
+    var phi_2929_: bool;
+    var phi_2933_: bool;
+    var phi_2937_: lt_bvh_triangle_Intersection;
+    var phi_2975_: bool;
+    var phi_2976_: bool;
+    var phi_2977_: bool;
+    var phi_2978_: bool;
+    var phi_2979_: bool;
+    var phi_2980_: bool;
+    var phi_2984_: bool;
+    var phi_2985_: bool;
+    var phi_3192_: f32;
+    var phi_3195_: bool;
+    var phi_3196_: bool;
+    var phi_3200_: bool;
+    var phi_3208_: lt_bvh_Hit;
+    var phi_3209_: lt_bvh_Hit;
+    var phi_3210_: lt_bvh_Hit;
+    var phi_3211_: lt_bvh_Hit;
+    var phi_2464_: lt_bvh_Hit;
+    var phi_2467_: u32;
+    var phi_3212_: bool;
+    var phi_3251_: bool;
     var phi_3252_: bool;
-    var phi_3260_: lt_bvh_Hit;
-    var phi_3261_: lt_bvh_Hit;
-    var phi_3262_: lt_bvh_Hit;
-    var phi_3263_: lt_bvh_Hit;
-    var phi_2546_: lt_bvh_Hit;
-    var phi_2549_: u32;
-    var phi_3264_: bool;
-    var phi_3303_: bool;
-    var phi_3304_: bool;
-    var phi_3335_: u32;
-    var phi_2213_: lt_bvh_Hit;
-    var phi_2216_: u32;
-    var phi_3336_: lt_bvh_Hit;
-    var phi_3337_: lt_bvh_Hit;
-    var phi_3338_: bool;
-    var phi_3342_: lt_bvh_Hit;
-    var phi_3343_: lt_bvh_Hit;
-    var phi_3344_: lt_bvh_Hit;
-    var phi_3345_: lt_bvh_Hit;
-    var phi_1588_: u32;
-    var phi_1591_: lt_bvh_Hit;
-    var phi_3346_: bool;
-    var phi_3385_: bool;
-    var phi_3386_: bool;
-    var phi_3417_: u32;
-    var phi_1251_: u32;
-    var phi_1254_: lt_bvh_Hit;
-    var phi_3418_: lt_bvh_Hit;
-    var phi_3419_: lt_bvh_Hit;
-    var phi_3420_: bool;
-    var phi_3424_: lt_bvh_Hit;
-    var phi_3613_: f32;
-    var phi_3618_: f32;
-    var phi_3623_: f32;
-    var phi_3631_: f32;
-    var phi_3636_: f32;
-    var phi_3641_: f32;
-    var phi_3862_: vec3<f32>;
-    var phi_3873_: u32;
-    var phi_3972_: vec3<f32>;
-    var phi_3973_: vec3<f32>;
-    var phi_3977_: abi_Sample;
+    var phi_3283_: u32;
+    var phi_2131_: lt_bvh_Hit;
+    var phi_2134_: u32;
+    var phi_3284_: lt_bvh_Hit;
+    var phi_3285_: lt_bvh_Hit;
+    var phi_3286_: bool;
+    var phi_3290_: lt_bvh_Hit;
+    var phi_3291_: lt_bvh_Hit;
+    var phi_3292_: lt_bvh_Hit;
+    var phi_3293_: lt_bvh_Hit;
+    var phi_1505_: u32;
+    var phi_1508_: lt_bvh_Hit;
+    var phi_3294_: bool;
+    var phi_3333_: bool;
+    var phi_3334_: bool;
+    var phi_3365_: u32;
+    var phi_1168_: u32;
+    var phi_1171_: lt_bvh_Hit;
+    var phi_3366_: lt_bvh_Hit;
+    var phi_3367_: lt_bvh_Hit;
+    var phi_3368_: bool;
+    var phi_3372_: lt_bvh_Hit;
+    var phi_3559_: f32;
+    var phi_3564_: f32;
+    var phi_3569_: f32;
+    var phi_3577_: f32;
+    var phi_3582_: f32;
+    var phi_3587_: f32;
+    var phi_3651_: vec3<f32>;
+    var phi_3894_: vec3<f32>;
+    var phi_3909_: u32;
+    var phi_3936_: f32;
+    var phi_3943_: f32;
+    var phi_3950_: f32;
+    var phi_3985_: f32;
+    var phi_3992_: f32;
+    var phi_3999_: f32;
+    var phi_4037_: f32;
+    var phi_4044_: f32;
+    var phi_4051_: f32;
+    var phi_4137_: vec3<f32>;
+    var phi_4138_: vec3<f32>;
+    var phi_4139_: vec3<f32>;
+    var phi_4148_: f32;
+    var phi_4149_: f32;
+    var phi_4159_: f32;
+    var phi_4160_: f32;
+    var phi_4170_: f32;
+    var phi_4171_: f32;
+    var phi_4206_: abi_Sample;
+    var local_10: lt_bvh_Hit;
+    var local_11: lt_bvh_Hit;
+    var local_12: lt_bvh_Hit;
     var local_13: lt_bvh_Hit;
-    var local_14: lt_bvh_Hit;
-    var local_15: lt_bvh_Hit;
-    var local_16: lt_bvh_Hit;
 
-    let _e71 = id_1;
-    let _e75 = arrayLength((&nodes.member));
-    let _e78 = arrayLength((&triangles.member));
-    let _e81 = arrayLength((&vertices.member));
-    let _e84 = arrayLength((&materials.member));
-    let _e90 = arrayLength((&instances.member));
-    let _e93 = arrayLength((&alpha_texels.member));
-    let _e96 = arrayLength((&color_texels.member));
-    let _e99 = p.member.size[0u];
-    let _e101 = p.member.size[1u];
-    let _e102 = lt_shaders_entry_pixel_index(_e71, _e99, _e101);
-    if (bitcast<i32>(_e102.root) != 0i) {
-        let _e108 = p.member.root;
-        let _e112 = p.member.eye;
-        let _e117 = p.member.size[0u];
-        let _e121 = ((((f32(_e71.x) + 0.5f) / f32(_e117)) * 2f) - 1f);
-        let _e126 = p.member.size[1u];
-        let _e130 = (1f - (((f32(_e71.y) + 0.5f) / f32(_e126)) * 2f));
-        let _e132 = p.member.forward;
-        let _e134 = p.member.right;
-        let _e148 = p.member.up;
-        let _e159 = _lt_bvh_ray_Ray_new(_e112, vec3<f32>(((_e132.x + (_e134.x * _e121)) + (_e148.x * _e130)), ((_e132.y + (_e134.y * _e121)) + (_e148.y * _e130)), ((_e132.z + (_e134.z * _e121)) + (_e148.z * _e130))));
-        let _e161 = lt_bvh_Hit(_e159.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e171 = abs(_e159.direction.x);
-        let _e173 = abs(_e159.direction.y);
-        let _e175 = abs(_e159.direction.z);
-        if (abs(_e159.origin.x) < 1000000000000000f) {
-            if (abs(_e159.origin.y) < 1000000000000000f) {
-                if (abs(_e159.origin.z) < 1000000000000000f) {
-                    if (_e171 < 1000000000000000f) {
-                        if (_e173 < 1000000000000000f) {
-                            if (_e175 < 1000000000000000f) {
-                                if (_e171 > 0f) {
-                                    phi_893_ = bool();
-                                    phi_894_ = true;
+    let _e74 = id_1;
+    let _e78 = arrayLength((&nodes.member));
+    let _e81 = arrayLength((&triangles.member));
+    let _e84 = arrayLength((&vertices.member));
+    let _e87 = arrayLength((&materials.member));
+    let _e93 = arrayLength((&instances.member));
+    let _e96 = arrayLength((&alpha_texels.member));
+    let _e99 = arrayLength((&color_texels.member));
+    let _e102 = p.member.size[0u];
+    let _e104 = p.member.size[1u];
+    let _e105 = lt_shaders_entry_pixel_index(_e74, _e102, _e104);
+    if (bitcast<i32>(_e105.root) != 0i) {
+        let _e111 = p.member.root;
+        let _e115 = p.member.eye;
+        let _e120 = p.member.size[0u];
+        let _e124 = ((((f32(_e74.x) + 0.5f) / f32(_e120)) * 2f) - 1f);
+        let _e129 = p.member.size[1u];
+        let _e133 = (1f - (((f32(_e74.y) + 0.5f) / f32(_e129)) * 2f));
+        let _e135 = p.member.forward;
+        let _e137 = p.member.right;
+        let _e151 = p.member.up;
+        let _e162 = _lt_bvh_ray_Ray_new(_e115, vec3<f32>(((_e135.x + (_e137.x * _e124)) + (_e151.x * _e133)), ((_e135.y + (_e137.y * _e124)) + (_e151.y * _e133)), ((_e135.z + (_e137.z * _e124)) + (_e151.z * _e133))));
+        let _e164 = lt_bvh_Hit(_e162.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e174 = abs(_e162.direction.x);
+        let _e176 = abs(_e162.direction.y);
+        let _e178 = abs(_e162.direction.z);
+        if (abs(_e162.origin.x) < 1000000000000000f) {
+            if (abs(_e162.origin.y) < 1000000000000000f) {
+                if (abs(_e162.origin.z) < 1000000000000000f) {
+                    if (_e174 < 1000000000000000f) {
+                        if (_e176 < 1000000000000000f) {
+                            if (_e178 < 1000000000000000f) {
+                                if (_e174 > 0f) {
+                                    phi_810_ = bool();
+                                    phi_811_ = true;
                                 } else {
-                                    let _e183 = (_e173 > 0f);
-                                    if _e183 {
-                                        phi_892_ = bool();
+                                    let _e186 = (_e176 > 0f);
+                                    if _e186 {
+                                        phi_809_ = bool();
                                     } else {
-                                        phi_892_ = (_e175 > 0f);
+                                        phi_809_ = (_e178 > 0f);
                                     }
-                                    let _e186 = phi_892_;
-                                    phi_893_ = _e186;
-                                    phi_894_ = _e183;
+                                    let _e189 = phi_809_;
+                                    phi_810_ = _e189;
+                                    phi_811_ = _e186;
                                 }
-                                let _e188 = phi_893_;
-                                let _e190 = phi_894_;
-                                if _e190 {
-                                    phi_898_ = true;
+                                let _e191 = phi_810_;
+                                let _e193 = phi_811_;
+                                if _e193 {
+                                    phi_815_ = true;
                                 } else {
-                                    phi_898_ = _e188;
+                                    phi_815_ = _e191;
                                 }
-                                let _e192 = phi_898_;
-                                phi_899_ = _e192;
-                                phi_900_ = false;
+                                let _e195 = phi_815_;
+                                phi_816_ = _e195;
+                                phi_817_ = false;
                             } else {
-                                phi_899_ = bool();
-                                phi_900_ = true;
+                                phi_816_ = bool();
+                                phi_817_ = true;
                             }
-                            let _e194 = phi_899_;
-                            let _e196 = phi_900_;
-                            phi_901_ = _e194;
-                            phi_902_ = false;
-                            phi_903_ = _e196;
+                            let _e197 = phi_816_;
+                            let _e199 = phi_817_;
+                            phi_818_ = _e197;
+                            phi_819_ = false;
+                            phi_820_ = _e199;
                         } else {
-                            phi_901_ = bool();
-                            phi_902_ = true;
-                            phi_903_ = false;
+                            phi_818_ = bool();
+                            phi_819_ = true;
+                            phi_820_ = false;
                         }
-                        let _e198 = phi_901_;
-                        let _e200 = phi_902_;
-                        let _e202 = phi_903_;
-                        phi_904_ = _e198;
-                        phi_905_ = _e200;
-                        phi_906_ = _e202;
+                        let _e201 = phi_818_;
+                        let _e203 = phi_819_;
+                        let _e205 = phi_820_;
+                        phi_821_ = _e201;
+                        phi_822_ = _e203;
+                        phi_823_ = _e205;
                     } else {
-                        phi_904_ = bool();
-                        phi_905_ = true;
-                        phi_906_ = false;
+                        phi_821_ = bool();
+                        phi_822_ = true;
+                        phi_823_ = false;
                     }
-                    let _e204 = phi_904_;
-                    let _e206 = phi_905_;
-                    let _e208 = phi_906_;
-                    phi_907_ = _e204;
-                    phi_908_ = _e206;
-                    phi_909_ = _e208;
+                    let _e207 = phi_821_;
+                    let _e209 = phi_822_;
+                    let _e211 = phi_823_;
+                    phi_824_ = _e207;
+                    phi_825_ = _e209;
+                    phi_826_ = _e211;
                 } else {
-                    phi_907_ = bool();
-                    phi_908_ = true;
-                    phi_909_ = false;
+                    phi_824_ = bool();
+                    phi_825_ = true;
+                    phi_826_ = false;
                 }
-                let _e210 = phi_907_;
-                let _e212 = phi_908_;
-                let _e214 = phi_909_;
-                phi_910_ = _e210;
-                phi_911_ = _e212;
-                phi_912_ = _e214;
+                let _e213 = phi_824_;
+                let _e215 = phi_825_;
+                let _e217 = phi_826_;
+                phi_827_ = _e213;
+                phi_828_ = _e215;
+                phi_829_ = _e217;
             } else {
-                phi_910_ = bool();
-                phi_911_ = true;
-                phi_912_ = false;
+                phi_827_ = bool();
+                phi_828_ = true;
+                phi_829_ = false;
             }
-            let _e216 = phi_910_;
-            let _e218 = phi_911_;
-            let _e220 = phi_912_;
-            phi_913_ = _e216;
-            phi_914_ = _e218;
-            phi_915_ = _e220;
+            let _e219 = phi_827_;
+            let _e221 = phi_828_;
+            let _e223 = phi_829_;
+            phi_830_ = _e219;
+            phi_831_ = _e221;
+            phi_832_ = _e223;
         } else {
-            phi_913_ = bool();
-            phi_914_ = true;
-            phi_915_ = false;
+            phi_830_ = bool();
+            phi_831_ = true;
+            phi_832_ = false;
         }
-        let _e222 = phi_913_;
-        let _e224 = phi_914_;
-        let _e226 = phi_915_;
-        if _e224 {
-            phi_919_ = true;
+        let _e225 = phi_830_;
+        let _e227 = phi_831_;
+        let _e229 = phi_832_;
+        if _e227 {
+            phi_836_ = true;
         } else {
-            phi_919_ = _e226;
+            phi_836_ = _e229;
         }
-        let _e228 = phi_919_;
-        if _e228 {
-            phi_923_ = false;
+        let _e231 = phi_836_;
+        if _e231 {
+            phi_840_ = false;
         } else {
-            phi_923_ = _e222;
+            phi_840_ = _e225;
         }
-        let _e230 = phi_923_;
-        if _e230 {
-            let _e231 = (_e108 >= _e75);
-            if _e231 {
-                phi_3418_ = lt_bvh_Hit();
+        let _e233 = phi_840_;
+        if _e233 {
+            let _e234 = (_e111 >= _e78);
+            if _e234 {
+                phi_3366_ = lt_bvh_Hit();
             } else {
-                if (_e108 < _e75) {
+                if (_e111 < _e78) {
                 } else {
                     return;
                 }
-                let _e237 = nodes.member[(0u + _e108)].frame[0u];
-                let _e241 = nodes.member[(0u + _e108)].frame[1u];
-                let _e245 = nodes.member[(0u + _e108)].frame[2u];
-                let _e249 = nodes.member[(0u + _e108)].frame[0u];
-                let _e253 = nodes.member[(0u + _e108)].frame[1u];
-                let _e257 = nodes.member[(0u + _e108)].frame[2u];
-                let _e261 = nodes.member[(0u + _e108)].frame[3u];
-                let _e299 = core_intrinsics_maximum_number_nsz_f32_(abs(_e159.direction.x), abs(_e159.direction.y));
-                let _e300 = core_intrinsics_maximum_number_nsz_f32_(_e299, abs(_e159.direction.z));
-                let _e301 = (_e300 * 0.0000000000009094947f);
-                if (abs(_e159.direction.x) < _e301) {
-                    phi_998_ = _e301;
+                let _e240 = nodes.member[(0u + _e111)].frame[0u];
+                let _e244 = nodes.member[(0u + _e111)].frame[1u];
+                let _e248 = nodes.member[(0u + _e111)].frame[2u];
+                let _e252 = nodes.member[(0u + _e111)].frame[0u];
+                let _e256 = nodes.member[(0u + _e111)].frame[1u];
+                let _e260 = nodes.member[(0u + _e111)].frame[2u];
+                let _e264 = nodes.member[(0u + _e111)].frame[3u];
+                let _e302 = core_intrinsics_maximum_number_nsz_f32_(abs(_e162.direction.x), abs(_e162.direction.y));
+                let _e303 = core_intrinsics_maximum_number_nsz_f32_(_e302, abs(_e162.direction.z));
+                let _e304 = (_e303 * 0.0000000000009094947f);
+                if (abs(_e162.direction.x) < _e304) {
+                    phi_915_ = _e304;
                 } else {
-                    phi_998_ = abs(_e159.direction.x);
+                    phi_915_ = abs(_e162.direction.x);
                 }
-                let _e308 = phi_998_;
-                if (_e159.direction.x < 0f) {
-                    phi_1005_ = (-1f / _e308);
+                let _e311 = phi_915_;
+                if (_e162.direction.x < 0f) {
+                    phi_922_ = (-1f / _e311);
                 } else {
-                    phi_1005_ = (1f / _e308);
+                    phi_922_ = (1f / _e311);
                 }
-                let _e313 = phi_1005_;
-                if (abs(_e159.direction.y) < _e301) {
-                    phi_1013_ = _e301;
+                let _e316 = phi_922_;
+                if (abs(_e162.direction.y) < _e304) {
+                    phi_930_ = _e304;
                 } else {
-                    phi_1013_ = abs(_e159.direction.y);
+                    phi_930_ = abs(_e162.direction.y);
                 }
-                let _e320 = phi_1013_;
-                if (_e159.direction.y < 0f) {
-                    phi_1020_ = (-1f / _e320);
+                let _e323 = phi_930_;
+                if (_e162.direction.y < 0f) {
+                    phi_937_ = (-1f / _e323);
                 } else {
-                    phi_1020_ = (1f / _e320);
+                    phi_937_ = (1f / _e323);
                 }
-                let _e325 = phi_1020_;
-                if (abs(_e159.direction.z) < _e301) {
-                    phi_1028_ = _e301;
+                let _e328 = phi_937_;
+                if (abs(_e162.direction.z) < _e304) {
+                    phi_945_ = _e304;
                 } else {
-                    phi_1028_ = abs(_e159.direction.z);
+                    phi_945_ = abs(_e162.direction.z);
                 }
-                let _e332 = phi_1028_;
-                if (_e159.direction.z < 0f) {
-                    phi_1035_ = (-1f / _e332);
+                let _e335 = phi_945_;
+                if (_e162.direction.z < 0f) {
+                    phi_952_ = (-1f / _e335);
                 } else {
-                    phi_1035_ = (1f / _e332);
+                    phi_952_ = (1f / _e335);
                 }
-                let _e337 = phi_1035_;
-                let _e345 = abs((bitcast<f32>(_e237) - _e159.origin.x));
-                let _e346 = abs((bitcast<f32>(_e241) - _e159.origin.y));
-                let _e347 = abs((bitcast<f32>(_e245) - _e159.origin.z));
-                let _e355 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e261 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.x));
-                let _e356 = abs(((bitcast<f32>(_e253) + (bitcast<f32>((((_e261 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.y));
-                let _e357 = abs(((bitcast<f32>(_e257) + (bitcast<f32>((((_e261 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.z));
-                if (_e345 > _e355) {
-                    phi_1060_ = _e345;
+                let _e340 = phi_952_;
+                let _e348 = abs((bitcast<f32>(_e240) - _e162.origin.x));
+                let _e349 = abs((bitcast<f32>(_e244) - _e162.origin.y));
+                let _e350 = abs((bitcast<f32>(_e248) - _e162.origin.z));
+                let _e358 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e264 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.x));
+                let _e359 = abs(((bitcast<f32>(_e256) + (bitcast<f32>((((_e264 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.y));
+                let _e360 = abs(((bitcast<f32>(_e260) + (bitcast<f32>((((_e264 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.z));
+                if (_e348 > _e358) {
+                    phi_977_ = _e348;
                 } else {
-                    phi_1060_ = _e355;
+                    phi_977_ = _e358;
                 }
-                let _e360 = phi_1060_;
-                if (_e346 > _e356) {
-                    phi_1065_ = _e346;
+                let _e363 = phi_977_;
+                if (_e349 > _e359) {
+                    phi_982_ = _e349;
                 } else {
-                    phi_1065_ = _e356;
+                    phi_982_ = _e359;
                 }
-                let _e363 = phi_1065_;
-                if (_e347 > _e357) {
-                    phi_1070_ = _e347;
+                let _e366 = phi_982_;
+                if (_e350 > _e360) {
+                    phi_987_ = _e350;
                 } else {
-                    phi_1070_ = _e357;
+                    phi_987_ = _e360;
                 }
-                let _e366 = phi_1070_;
-                let _e367 = core_intrinsics_maximum_number_nsz_f32_(_e360, _e363);
-                let _e368 = core_intrinsics_maximum_number_nsz_f32_(_e367, _e366);
-                let _e373 = (_e368 * 0.0000019073486f);
-                let _e374 = (abs(_e313) * _e373);
-                let _e375 = (abs(_e325) * _e373);
-                let _e376 = (abs(_e337) * _e373);
-                let _e380 = (_e368 * 0.0000009536743f);
-                let _e381 = (abs(_e313) * _e380);
-                let _e382 = (abs(_e325) * _e380);
-                let _e383 = (abs(_e337) * _e380);
-                if (_e313 < 0f) {
-                    phi_1092_ = 0u;
+                let _e369 = phi_987_;
+                let _e370 = core_intrinsics_maximum_number_nsz_f32_(_e363, _e366);
+                let _e371 = core_intrinsics_maximum_number_nsz_f32_(_e370, _e369);
+                let _e376 = (_e371 * 0.0000019073486f);
+                let _e377 = (abs(_e316) * _e376);
+                let _e378 = (abs(_e328) * _e376);
+                let _e379 = (abs(_e340) * _e376);
+                let _e383 = (_e371 * 0.0000009536743f);
+                let _e384 = (abs(_e316) * _e383);
+                let _e385 = (abs(_e328) * _e383);
+                let _e386 = (abs(_e340) * _e383);
+                if (_e316 < 0f) {
+                    phi_1009_ = 0u;
                 } else {
-                    phi_1092_ = 1u;
+                    phi_1009_ = 1u;
                 }
-                let _e386 = phi_1092_;
-                if (_e325 < 0f) {
-                    phi_1097_ = 0u;
+                let _e389 = phi_1009_;
+                if (_e328 < 0f) {
+                    phi_1014_ = 0u;
                 } else {
-                    phi_1097_ = 2u;
+                    phi_1014_ = 2u;
                 }
-                let _e389 = phi_1097_;
-                if (_e337 < 0f) {
-                    phi_1102_ = 0u;
+                let _e392 = phi_1014_;
+                if (_e340 < 0f) {
+                    phi_1019_ = 0u;
                 } else {
-                    phi_1102_ = 4u;
+                    phi_1019_ = 4u;
                 }
-                let _e392 = phi_1102_;
-                let _e394 = ((_e386 | _e389) | _e392);
-                let _e395 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e108, 2147483648u);
-                local_6 = lt_bvh_traverse_Stack(array<u32, 32>(_e395.first[0], _e395.first[1], _e395.first[2], _e395.first[3], _e395.first[4], _e395.first[5], _e395.first[6], _e395.first[7], _e395.first[8], _e395.first[9], _e395.first[10], _e395.first[11], _e395.first[12], _e395.first[13], _e395.first[14], _e395.first[15], _e395.first[16], _e395.first[17], _e395.first[18], _e395.first[19], _e395.first[20], _e395.first[21], _e395.first[22], _e395.first[23], _e395.first[24], _e395.first[25], _e395.first[26], _e395.first[27], _e395.first[28], _e395.first[29], _e395.first[30], _e395.first[31]), array<u32, 32>(_e395.mask[0], _e395.mask[1], _e395.mask[2], _e395.mask[3], _e395.mask[4], _e395.mask[5], _e395.mask[6], _e395.mask[7], _e395.mask[8], _e395.mask[9], _e395.mask[10], _e395.mask[11], _e395.mask[12], _e395.mask[13], _e395.mask[14], _e395.mask[15], _e395.mask[16], _e395.mask[17], _e395.mask[18], _e395.mask[19], _e395.mask[20], _e395.mask[21], _e395.mask[22], _e395.mask[23], _e395.mask[24], _e395.mask[25], _e395.mask[26], _e395.mask[27], _e395.mask[28], _e395.mask[29], _e395.mask[30], _e395.mask[31]), _e395.len, _e395.group, _e395.group_mask);
-                let _e469 = local_6.group_mask;
-                if ((_e469 & 4278190080u) == 0u) {
-                    let _e473 = local_6.len;
-                    if (_e473 == 0u) {
-                        phi_1216_ = false;
+                let _e395 = phi_1019_;
+                let _e397 = ((_e389 | _e392) | _e395);
+                let _e398 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e111, 2147483648u);
+                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e398.first[0], _e398.first[1], _e398.first[2], _e398.first[3], _e398.first[4], _e398.first[5], _e398.first[6], _e398.first[7], _e398.first[8], _e398.first[9], _e398.first[10], _e398.first[11], _e398.first[12], _e398.first[13], _e398.first[14], _e398.first[15], _e398.first[16], _e398.first[17], _e398.first[18], _e398.first[19], _e398.first[20], _e398.first[21], _e398.first[22], _e398.first[23], _e398.first[24], _e398.first[25], _e398.first[26], _e398.first[27], _e398.first[28], _e398.first[29], _e398.first[30], _e398.first[31]), array<u32, 32>(_e398.mask[0], _e398.mask[1], _e398.mask[2], _e398.mask[3], _e398.mask[4], _e398.mask[5], _e398.mask[6], _e398.mask[7], _e398.mask[8], _e398.mask[9], _e398.mask[10], _e398.mask[11], _e398.mask[12], _e398.mask[13], _e398.mask[14], _e398.mask[15], _e398.mask[16], _e398.mask[17], _e398.mask[18], _e398.mask[19], _e398.mask[20], _e398.mask[21], _e398.mask[22], _e398.mask[23], _e398.mask[24], _e398.mask[25], _e398.mask[26], _e398.mask[27], _e398.mask[28], _e398.mask[29], _e398.mask[30], _e398.mask[31]), _e398.len, _e398.group, _e398.group_mask);
+                let _e472 = local_3.group_mask;
+                if ((_e472 & 4278190080u) == 0u) {
+                    let _e476 = local_3.len;
+                    if (_e476 == 0u) {
+                        phi_1133_ = false;
                     } else {
-                        let _e477 = local_6.len;
-                        local_6.len = (_e477 - 1u);
-                        let _e480 = local_6.len;
-                        if (_e480 < 32u) {
+                        let _e480 = local_3.len;
+                        local_3.len = (_e480 - 1u);
+                        let _e483 = local_3.len;
+                        if (_e483 < 32u) {
                         } else {
                             return;
                         }
-                        let _e485 = local_6.first[(0u + _e480)];
-                        local_6.group = _e485;
-                        let _e488 = local_6.len;
-                        if (_e488 < 32u) {
+                        let _e488 = local_3.first[(0u + _e483)];
+                        local_3.group = _e488;
+                        let _e491 = local_3.len;
+                        if (_e491 < 32u) {
                         } else {
                             return;
                         }
-                        let _e493 = local_6.mask[(0u + _e488)];
-                        local_6.group_mask = _e493;
-                        phi_1216_ = true;
+                        let _e496 = local_3.mask[(0u + _e491)];
+                        local_3.group_mask = _e496;
+                        phi_1133_ = true;
                     }
-                    let _e496 = phi_1216_;
-                    phi_1217_ = _e496;
+                    let _e499 = phi_1133_;
+                    phi_1134_ = _e499;
                 } else {
-                    phi_1217_ = true;
+                    phi_1134_ = true;
                 }
-                let _e498 = phi_1217_;
-                if _e498 {
-                    let _e500 = local_6.group_mask;
-                    let _e506 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e500)), 32u, (_e500 == 0u)));
-                    let _e510 = local_6.group_mask;
-                    let _e524 = local_6.group_mask;
-                    local_6.group_mask = (_e524 & ~((1u << bitcast<u32>((_e506 & 31u)))));
-                    let _e527 = local_6.group;
-                    phi_1248_ = (_e527 + countOneBits(((_e510 & ~((4294967295u << bitcast<u32>((((_e506 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e501 = phi_1134_;
+                if _e501 {
+                    let _e503 = local_3.group_mask;
+                    let _e509 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e503)), 32u, (_e503 == 0u)));
+                    let _e513 = local_3.group_mask;
+                    let _e527 = local_3.group_mask;
+                    local_3.group_mask = (_e527 & ~((1u << bitcast<u32>((_e509 & 31u)))));
+                    let _e530 = local_3.group;
+                    phi_1165_ = (_e530 + countOneBits(((_e513 & ~((4294967295u << bitcast<u32>((((_e509 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1248_ = 4294967295u;
+                    phi_1165_ = 4294967295u;
                 }
-                let _e530 = phi_1248_;
-                phi_1250_ = _e530;
-                phi_1253_ = _e161;
+                let _e533 = phi_1165_;
+                phi_1167_ = _e533;
+                phi_1170_ = _e164;
                 loop {
-                    let _e532 = phi_1250_;
-                    let _e534 = phi_1253_;
-                    local_16 = _e534;
-                    let _e535 = (_e532 != 4294967295u);
-                    if _e535 {
-                        if (_e532 < _e75) {
+                    let _e535 = phi_1167_;
+                    let _e537 = phi_1170_;
+                    local_13 = _e537;
+                    let _e538 = (_e535 != 4294967295u);
+                    if _e538 {
+                        if (_e535 < _e78) {
                         } else {
                             return;
                         }
-                        let _e543 = nodes.member[(0u + _e532)].frame[3u];
-                        let _e568 = (bitcast<f32>((((_e543 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
-                        let _e569 = (bitcast<f32>((((_e543 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
-                        let _e570 = (bitcast<f32>((((_e543 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e337);
-                        let _e573 = nodes.member[(0u + _e532)].frame[0u];
-                        let _e577 = nodes.member[(0u + _e532)].frame[1u];
-                        let _e581 = nodes.member[(0u + _e532)].frame[2u];
-                        let _e589 = ((bitcast<f32>(_e573) - _e159.origin.x) * _e313);
-                        let _e590 = ((bitcast<f32>(_e577) - _e159.origin.y) * _e325);
-                        let _e591 = ((bitcast<f32>(_e581) - _e159.origin.z) * _e337);
-                        let _e599 = nodes.member[(0u + _e532)].x;
-                        if (_e313 < 0f) {
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e610.unnamed.root, _e599.w), _e610.unnamed_1);
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_bvh_traverse_Tree(_e599.x, _e616.unnamed_1.first_primitive));
-                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_bvh_traverse_Tree(_e622.unnamed_1.root, _e599.y));
+                        let _e546 = nodes.member[(0u + _e535)].frame[3u];
+                        let _e571 = (bitcast<f32>((((_e546 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
+                        let _e572 = (bitcast<f32>((((_e546 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
+                        let _e573 = (bitcast<f32>((((_e546 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e340);
+                        let _e576 = nodes.member[(0u + _e535)].frame[0u];
+                        let _e580 = nodes.member[(0u + _e535)].frame[1u];
+                        let _e584 = nodes.member[(0u + _e535)].frame[2u];
+                        let _e592 = ((bitcast<f32>(_e576) - _e162.origin.x) * _e316);
+                        let _e593 = ((bitcast<f32>(_e580) - _e162.origin.y) * _e328);
+                        let _e594 = ((bitcast<f32>(_e584) - _e162.origin.z) * _e340);
+                        let _e602 = nodes.member[(0u + _e535)].x;
+                        if (_e316 < 0f) {
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e613.unnamed.root, _e602.w), _e613.unnamed_1);
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_bvh_traverse_Tree(_e602.x, _e619.unnamed_1.first_primitive));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e625.unnamed_1.root, _e602.y));
                         } else {
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.unnamed.root, _e599.y), _e638.unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e599.z, _e644.unnamed_1.first_primitive));
-                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e650.unnamed_1.root, _e599.w));
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e602.y), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e602.z, _e647.unnamed_1.first_primitive));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e602.w));
                         }
-                        let _e658 = phi_1338_;
-                        let _e668 = nodes.member[(0u + _e532)].y;
-                        if (_e325 < 0f) {
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.unnamed.root, _e668.w), _e679.unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_bvh_traverse_Tree(_e668.x, _e685.unnamed_1.first_primitive));
-                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e691.unnamed_1.root, _e668.y));
+                        let _e661 = phi_1255_;
+                        let _e671 = nodes.member[(0u + _e535)].y;
+                        if (_e328 < 0f) {
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e682.unnamed.root, _e671.w), _e682.unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e671.x, _e688.unnamed_1.first_primitive));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e694.unnamed_1.root, _e671.y));
                         } else {
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.unnamed.root, _e668.y), _e707.unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e668.z, _e713.unnamed_1.first_primitive));
-                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e719.unnamed_1.root, _e668.w));
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e671.y), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e671.z, _e716.unnamed_1.first_primitive));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e671.w));
                         }
-                        let _e727 = phi_1365_;
-                        let _e737 = nodes.member[(0u + _e532)].z;
-                        if (_e337 < 0f) {
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e748.unnamed.root, _e737.w), _e748.unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_bvh_traverse_Tree(_e737.x, _e754.unnamed_1.first_primitive));
-                            phi_1392_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e760.unnamed_1.root, _e737.y));
+                        let _e730 = phi_1282_;
+                        let _e740 = nodes.member[(0u + _e535)].z;
+                        if (_e340 < 0f) {
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e740.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e751.unnamed.root, _e740.w), _e751.unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_bvh_traverse_Tree(_e740.x, _e757.unnamed_1.first_primitive));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e763.unnamed_1.root, _e740.y));
                         } else {
-                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.unnamed.root, _e737.y), _e776.unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_bvh_traverse_Tree(_e737.z, _e782.unnamed_1.first_primitive));
-                            phi_1392_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e788.unnamed_1.root, _e737.w));
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e740.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.unnamed.root, _e740.y), _e779.unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_bvh_traverse_Tree(_e740.z, _e785.unnamed_1.first_primitive));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_bvh_traverse_Tree(_e791.unnamed_1.root, _e740.w));
                         }
-                        let _e796 = phi_1392_;
-                        phi_1398_ = 0u;
-                        phi_1401_ = 0u;
+                        let _e799 = phi_1309_;
+                        phi_1315_ = 0u;
+                        phi_1318_ = 0u;
                         loop {
-                            let _e806 = phi_1398_;
-                            let _e808 = phi_1401_;
-                            local_7 = _e808;
-                            local_8 = _e808;
-                            local_9 = _e808;
-                            let _e809 = (_e806 < 8u);
-                            if _e809 {
-                                let _e811 = (_e806 >> bitcast<u32>(2i));
-                                let _e812 = (_e806 & 3u);
-                                if (_e811 == 0u) {
-                                    phi_1415_ = _e658.unnamed.root;
+                            let _e809 = phi_1315_;
+                            let _e811 = phi_1318_;
+                            local_4 = _e811;
+                            local_5 = _e811;
+                            local_6 = _e811;
+                            let _e812 = (_e809 < 8u);
+                            if _e812 {
+                                let _e814 = (_e809 >> bitcast<u32>(2i));
+                                let _e815 = (_e809 & 3u);
+                                if (_e814 == 0u) {
+                                    phi_1332_ = _e661.unnamed.root;
                                 } else {
-                                    phi_1415_ = _e658.unnamed.first_primitive;
+                                    phi_1332_ = _e661.unnamed.first_primitive;
                                 }
-                                let _e815 = phi_1415_;
-                                if (_e811 == 0u) {
-                                    phi_1425_ = _e727.unnamed.root;
+                                let _e818 = phi_1332_;
+                                if (_e814 == 0u) {
+                                    phi_1342_ = _e730.unnamed.root;
                                 } else {
-                                    phi_1425_ = _e727.unnamed.first_primitive;
+                                    phi_1342_ = _e730.unnamed.first_primitive;
                                 }
-                                let _e824 = phi_1425_;
-                                if (_e811 == 0u) {
-                                    phi_1435_ = _e796.unnamed.root;
+                                let _e827 = phi_1342_;
+                                if (_e814 == 0u) {
+                                    phi_1352_ = _e799.unnamed.root;
                                 } else {
-                                    phi_1435_ = _e796.unnamed.first_primitive;
+                                    phi_1352_ = _e799.unnamed.first_primitive;
                                 }
-                                let _e833 = phi_1435_;
-                                let _e846 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e815 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e568) + (_e589 - _e374)), ((f32(((_e824 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e569) + (_e590 - _e375)));
-                                let _e847 = core_intrinsics_maximum_number_nsz_f32_(_e846, ((f32(((_e833 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e570) + (_e591 - _e376)));
-                                if (_e811 == 0u) {
-                                    phi_1453_ = _e658.unnamed_1.root;
+                                let _e836 = phi_1352_;
+                                let _e849 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e818 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 - _e377)), ((f32(((_e827 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 - _e378)));
+                                let _e850 = core_intrinsics_maximum_number_nsz_f32_(_e849, ((f32(((_e836 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 - _e379)));
+                                if (_e814 == 0u) {
+                                    phi_1370_ = _e661.unnamed_1.root;
                                 } else {
-                                    phi_1453_ = _e658.unnamed_1.first_primitive;
+                                    phi_1370_ = _e661.unnamed_1.first_primitive;
                                 }
-                                let _e850 = phi_1453_;
-                                if (_e811 == 0u) {
-                                    phi_1463_ = _e727.unnamed_1.root;
+                                let _e853 = phi_1370_;
+                                if (_e814 == 0u) {
+                                    phi_1380_ = _e730.unnamed_1.root;
                                 } else {
-                                    phi_1463_ = _e727.unnamed_1.first_primitive;
+                                    phi_1380_ = _e730.unnamed_1.first_primitive;
                                 }
-                                let _e859 = phi_1463_;
-                                if (_e811 == 0u) {
-                                    phi_1473_ = _e796.unnamed_1.root;
+                                let _e862 = phi_1380_;
+                                if (_e814 == 0u) {
+                                    phi_1390_ = _e799.unnamed_1.root;
                                 } else {
-                                    phi_1473_ = _e796.unnamed_1.first_primitive;
+                                    phi_1390_ = _e799.unnamed_1.first_primitive;
                                 }
-                                let _e868 = phi_1473_;
-                                let _e881 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e850 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e568) + (_e589 + _e374)), ((f32(((_e859 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e569) + (_e590 + _e375)));
-                                let _e882 = core_intrinsics_minimum_number_nsz_f32_(_e881, ((f32(((_e868 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e570) + (_e591 + _e376)));
-                                if (_e847 <= _e882) {
-                                    if (_e847 <= _e534.t) {
-                                        if (_e882 >= _e159.tmin) {
-                                            if (_e811 == 0u) {
-                                                let _e889 = nodes.member[(0u + _e532)].links[2u];
-                                                phi_1509_ = _e889;
+                                let _e871 = phi_1390_;
+                                let _e884 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e853 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 + _e377)), ((f32(((_e862 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 + _e378)));
+                                let _e885 = core_intrinsics_minimum_number_nsz_f32_(_e884, ((f32(((_e871 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 + _e379)));
+                                if (_e850 <= _e885) {
+                                    if (_e850 <= _e537.t) {
+                                        if (_e885 >= _e162.tmin) {
+                                            if (_e814 == 0u) {
+                                                let _e892 = nodes.member[(0u + _e535)].links[2u];
+                                                phi_1426_ = _e892;
                                             } else {
-                                                let _e892 = nodes.member[(0u + _e532)].links[3u];
-                                                phi_1509_ = _e892;
+                                                let _e895 = nodes.member[(0u + _e535)].links[3u];
+                                                phi_1426_ = _e895;
                                             }
-                                            let _e894 = phi_1509_;
-                                            let _e899 = ((_e894 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u);
-                                            let _e900 = (_e899 & 31u);
-                                            if (_e900 >= 24u) {
-                                                phi_1522_ = (24u + ((_e900 - 24u) ^ _e394));
+                                            let _e897 = phi_1426_;
+                                            let _e902 = ((_e897 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u);
+                                            let _e903 = (_e902 & 31u);
+                                            if (_e903 >= 24u) {
+                                                phi_1439_ = (24u + ((_e903 - 24u) ^ _e397));
                                             } else {
-                                                phi_1522_ = _e900;
+                                                phi_1439_ = _e903;
                                             }
-                                            let _e906 = phi_1522_;
-                                            phi_1527_ = (_e808 | ((_e899 >> bitcast<u32>(5i)) << bitcast<u32>((_e906 & 31u))));
+                                            let _e909 = phi_1439_;
+                                            phi_1444_ = (_e811 | ((_e902 >> bitcast<u32>(5i)) << bitcast<u32>((_e909 & 31u))));
                                         } else {
-                                            phi_1527_ = _e808;
+                                            phi_1444_ = _e811;
                                         }
-                                        let _e914 = phi_1527_;
-                                        phi_1528_ = _e914;
+                                        let _e917 = phi_1444_;
+                                        phi_1445_ = _e917;
                                     } else {
-                                        phi_1528_ = _e808;
+                                        phi_1445_ = _e811;
                                     }
-                                    let _e916 = phi_1528_;
-                                    phi_1529_ = _e916;
+                                    let _e919 = phi_1445_;
+                                    phi_1446_ = _e919;
                                 } else {
-                                    phi_1529_ = _e808;
+                                    phi_1446_ = _e811;
                                 }
-                                let _e918 = phi_1529_;
-                                phi_1399_ = (_e806 + 1u);
-                                phi_1402_ = _e918;
+                                let _e921 = phi_1446_;
+                                phi_1316_ = (_e809 + 1u);
+                                phi_1319_ = _e921;
                             } else {
-                                phi_1399_ = u32();
-                                phi_1402_ = u32();
+                                phi_1316_ = u32();
+                                phi_1319_ = u32();
                             }
-                            let _e921 = phi_1399_;
-                            let _e923 = phi_1402_;
+                            let _e924 = phi_1316_;
+                            let _e926 = phi_1319_;
                             continue;
                             continuing {
-                                phi_1398_ = _e921;
-                                phi_1401_ = _e923;
-                                break if !(_e809);
+                                phi_1315_ = _e924;
+                                phi_1318_ = _e926;
+                                break if !(_e812);
                             }
                         }
-                        let _e927 = nodes.member[(0u + _e532)].links[0u];
-                        let _e931 = nodes.member[(0u + _e532)].frame[3u];
-                        let _e935 = local_7;
-                        if ((_e935 & 4278190080u) == 0u) {
+                        let _e930 = nodes.member[(0u + _e535)].links[0u];
+                        let _e934 = nodes.member[(0u + _e535)].frame[3u];
+                        let _e938 = local_4;
+                        if ((_e938 & 4278190080u) == 0u) {
                         } else {
-                            let _e939 = local_6.group_mask;
-                            if ((_e939 & 4278190080u) == 0u) {
+                            let _e942 = local_3.group_mask;
+                            if ((_e942 & 4278190080u) == 0u) {
                             } else {
-                                let _e943 = local_6.len;
-                                if (_e943 < 32u) {
-                                    let _e946 = local_6.group;
-                                    let _e948 = local_6.len;
-                                    if (_e948 < 32u) {
+                                let _e946 = local_3.len;
+                                if (_e946 < 32u) {
+                                    let _e949 = local_3.group;
+                                    let _e951 = local_3.len;
+                                    if (_e951 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_6.first[(0u + _e948)] = _e946;
-                                    let _e954 = local_6.group_mask;
-                                    let _e956 = local_6.len;
-                                    if (_e956 < 32u) {
+                                    local_3.first[(0u + _e951)] = _e949;
+                                    let _e957 = local_3.group_mask;
+                                    let _e959 = local_3.len;
+                                    if (_e959 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_6.mask[(0u + _e956)] = _e954;
-                                    let _e963 = local_6.len;
-                                    local_6.len = (_e963 + 1u);
+                                    local_3.mask[(0u + _e959)] = _e957;
+                                    let _e966 = local_3.len;
+                                    local_3.len = (_e966 + 1u);
                                 }
                             }
-                            local_6.group = (_e108 + _e927);
-                            let _e967 = local_8;
-                            local_6.group_mask = ((_e967 & 4278190080u) | (_e931 >> bitcast<u32>(24i)));
+                            local_3.group = (_e111 + _e930);
+                            let _e970 = local_5;
+                            local_3.group_mask = ((_e970 & 4278190080u) | (_e934 >> bitcast<u32>(24i)));
                         }
-                        let _e972 = local_9;
-                        phi_1587_ = (_e972 & 16777215u);
-                        phi_1590_ = _e534;
+                        let _e975 = local_6;
+                        phi_1504_ = (_e975 & 16777215u);
+                        phi_1507_ = _e537;
                         loop {
-                            let _e975 = phi_1587_;
-                            let _e977 = phi_1590_;
-                            local_15 = _e977;
-                            if (_e975 == 0u) {
-                                phi_1588_ = u32();
-                                phi_1591_ = lt_bvh_Hit();
-                                phi_3346_ = false;
+                            let _e978 = phi_1504_;
+                            let _e980 = phi_1507_;
+                            local_12 = _e980;
+                            if (_e978 == 0u) {
+                                phi_1505_ = u32();
+                                phi_1508_ = lt_bvh_Hit();
+                                phi_3294_ = false;
                             } else {
-                                let _e981 = nodes.member[(0u + _e532)].links[1u];
-                                let _e985 = (_e981 + select(firstTrailingBit(_e975), 32u, (_e975 == 0u)));
-                                if (_e985 < _e90) {
+                                let _e984 = nodes.member[(0u + _e535)].links[1u];
+                                let _e988 = (_e984 + select(firstTrailingBit(_e978), 32u, (_e978 == 0u)));
+                                if (_e988 < _e93) {
                                 } else {
                                     return;
                                 }
-                                let _e992 = instances.member[(0u + _e985)].low_world;
-                                let _e994 = instances.member[(0u + _e985)].high_world;
-                                let _e1004 = ((_e992.x - _e159.origin.x) * _e313);
-                                let _e1005 = ((_e992.y - _e159.origin.y) * _e325);
-                                let _e1006 = ((_e992.z - _e159.origin.z) * _e337);
-                                let _e1016 = ((_e994.x - _e159.origin.x) * _e313);
-                                let _e1017 = ((_e994.y - _e159.origin.y) * _e325);
-                                let _e1018 = ((_e994.z - _e159.origin.z) * _e337);
-                                if (_e1004 < _e1016) {
-                                    phi_1645_ = _e1004;
+                                let _e995 = instances.member[(0u + _e988)].low_world;
+                                let _e997 = instances.member[(0u + _e988)].high_world;
+                                let _e1007 = ((_e995.x - _e162.origin.x) * _e316);
+                                let _e1008 = ((_e995.y - _e162.origin.y) * _e328);
+                                let _e1009 = ((_e995.z - _e162.origin.z) * _e340);
+                                let _e1019 = ((_e997.x - _e162.origin.x) * _e316);
+                                let _e1020 = ((_e997.y - _e162.origin.y) * _e328);
+                                let _e1021 = ((_e997.z - _e162.origin.z) * _e340);
+                                if (_e1007 < _e1019) {
+                                    phi_1562_ = _e1007;
                                 } else {
-                                    phi_1645_ = _e1016;
+                                    phi_1562_ = _e1019;
                                 }
-                                let _e1021 = phi_1645_;
-                                if (_e1005 < _e1017) {
-                                    phi_1650_ = _e1005;
+                                let _e1024 = phi_1562_;
+                                if (_e1008 < _e1020) {
+                                    phi_1567_ = _e1008;
                                 } else {
-                                    phi_1650_ = _e1017;
+                                    phi_1567_ = _e1020;
                                 }
-                                let _e1024 = phi_1650_;
-                                if (_e1006 < _e1018) {
-                                    phi_1655_ = _e1006;
+                                let _e1027 = phi_1567_;
+                                if (_e1009 < _e1021) {
+                                    phi_1572_ = _e1009;
                                 } else {
-                                    phi_1655_ = _e1018;
+                                    phi_1572_ = _e1021;
                                 }
-                                let _e1027 = phi_1655_;
-                                if (_e1004 > _e1016) {
-                                    phi_1663_ = _e1004;
+                                let _e1030 = phi_1572_;
+                                if (_e1007 > _e1019) {
+                                    phi_1580_ = _e1007;
                                 } else {
-                                    phi_1663_ = _e1016;
+                                    phi_1580_ = _e1019;
                                 }
-                                let _e1033 = phi_1663_;
-                                if (_e1005 > _e1017) {
-                                    phi_1668_ = _e1005;
+                                let _e1036 = phi_1580_;
+                                if (_e1008 > _e1020) {
+                                    phi_1585_ = _e1008;
                                 } else {
-                                    phi_1668_ = _e1017;
+                                    phi_1585_ = _e1020;
                                 }
-                                let _e1036 = phi_1668_;
-                                if (_e1006 > _e1018) {
-                                    phi_1673_ = _e1006;
+                                let _e1039 = phi_1585_;
+                                if (_e1009 > _e1021) {
+                                    phi_1590_ = _e1009;
                                 } else {
-                                    phi_1673_ = _e1018;
+                                    phi_1590_ = _e1021;
                                 }
-                                let _e1039 = phi_1673_;
-                                let _e1043 = core_intrinsics_maximum_number_nsz_f32_((_e1021 - _e381), (_e1024 - _e382));
-                                let _e1044 = core_intrinsics_maximum_number_nsz_f32_(_e1043, (_e1027 - _e383));
-                                let _e1045 = core_intrinsics_minimum_number_nsz_f32_((_e1033 + _e381), (_e1036 + _e382));
-                                let _e1046 = core_intrinsics_minimum_number_nsz_f32_(_e1045, (_e1039 + _e383));
-                                if (_e1044 <= _e1046) {
-                                    if (_e1044 <= _e977.t) {
-                                        if (_e1046 >= _e159.tmin) {
-                                            let _e1058 = instances.member[(0u + _e985)].world_to_object[0u];
-                                            let _e1069 = ((((_e1058.x * _e159.origin.x) + (_e1058.y * _e159.origin.y)) + (_e1058.z * _e159.origin.z)) + (_e1058.w * 1f));
-                                            let _e1071 = instances.member[(0u + _e985)].world_to_object[1u];
-                                            let _e1082 = ((((_e1071.x * _e159.origin.x) + (_e1071.y * _e159.origin.y)) + (_e1071.z * _e159.origin.z)) + (_e1071.w * 1f));
-                                            let _e1084 = instances.member[(0u + _e985)].world_to_object[2u];
-                                            let _e1095 = ((((_e1084.x * _e159.origin.x) + (_e1084.y * _e159.origin.y)) + (_e1084.z * _e159.origin.z)) + (_e1084.w * 1f));
-                                            let _e1102 = instances.member[(0u + _e985)].world_to_object[0u];
-                                            let _e1113 = ((((_e1102.x * _e159.direction.x) + (_e1102.y * _e159.direction.y)) + (_e1102.z * _e159.direction.z)) + (_e1102.w * 0f));
-                                            let _e1115 = instances.member[(0u + _e985)].world_to_object[1u];
-                                            let _e1126 = ((((_e1115.x * _e159.direction.x) + (_e1115.y * _e159.direction.y)) + (_e1115.z * _e159.direction.z)) + (_e1115.w * 0f));
-                                            let _e1128 = instances.member[(0u + _e985)].world_to_object[2u];
-                                            let _e1139 = ((((_e1128.x * _e159.direction.x) + (_e1128.y * _e159.direction.y)) + (_e1128.z * _e159.direction.z)) + (_e1128.w * 0f));
-                                            let _e1143 = instances.member[(0u + _e985)].root;
-                                            let _e1145 = instances.member[(0u + _e985)].first_triangle;
-                                            let _e1149 = abs(_e1113);
-                                            let _e1150 = abs(_e1126);
-                                            let _e1151 = abs(_e1139);
-                                            if (abs(_e1069) < 1000000000000000f) {
-                                                if (abs(_e1082) < 1000000000000000f) {
-                                                    if (abs(_e1095) < 1000000000000000f) {
-                                                        if (_e1149 < 1000000000000000f) {
-                                                            if (_e1150 < 1000000000000000f) {
-                                                                if (_e1151 < 1000000000000000f) {
-                                                                    if (_e1149 > 0f) {
-                                                                        phi_1829_ = bool();
-                                                                        phi_1830_ = true;
+                                let _e1042 = phi_1590_;
+                                let _e1046 = core_intrinsics_maximum_number_nsz_f32_((_e1024 - _e384), (_e1027 - _e385));
+                                let _e1047 = core_intrinsics_maximum_number_nsz_f32_(_e1046, (_e1030 - _e386));
+                                let _e1048 = core_intrinsics_minimum_number_nsz_f32_((_e1036 + _e384), (_e1039 + _e385));
+                                let _e1049 = core_intrinsics_minimum_number_nsz_f32_(_e1048, (_e1042 + _e386));
+                                if (_e1047 <= _e1049) {
+                                    if (_e1047 <= _e980.t) {
+                                        if (_e1049 >= _e162.tmin) {
+                                            let _e1061 = instances.member[(0u + _e988)].world_to_object[0u];
+                                            let _e1072 = ((((_e1061.x * _e162.origin.x) + (_e1061.y * _e162.origin.y)) + (_e1061.z * _e162.origin.z)) + (_e1061.w * 1f));
+                                            let _e1074 = instances.member[(0u + _e988)].world_to_object[1u];
+                                            let _e1085 = ((((_e1074.x * _e162.origin.x) + (_e1074.y * _e162.origin.y)) + (_e1074.z * _e162.origin.z)) + (_e1074.w * 1f));
+                                            let _e1087 = instances.member[(0u + _e988)].world_to_object[2u];
+                                            let _e1098 = ((((_e1087.x * _e162.origin.x) + (_e1087.y * _e162.origin.y)) + (_e1087.z * _e162.origin.z)) + (_e1087.w * 1f));
+                                            let _e1105 = instances.member[(0u + _e988)].world_to_object[0u];
+                                            let _e1116 = ((((_e1105.x * _e162.direction.x) + (_e1105.y * _e162.direction.y)) + (_e1105.z * _e162.direction.z)) + (_e1105.w * 0f));
+                                            let _e1118 = instances.member[(0u + _e988)].world_to_object[1u];
+                                            let _e1129 = ((((_e1118.x * _e162.direction.x) + (_e1118.y * _e162.direction.y)) + (_e1118.z * _e162.direction.z)) + (_e1118.w * 0f));
+                                            let _e1131 = instances.member[(0u + _e988)].world_to_object[2u];
+                                            let _e1142 = ((((_e1131.x * _e162.direction.x) + (_e1131.y * _e162.direction.y)) + (_e1131.z * _e162.direction.z)) + (_e1131.w * 0f));
+                                            let _e1147 = instances.member[(0u + _e988)].root;
+                                            let _e1149 = instances.member[(0u + _e988)].first_triangle;
+                                            let _e1153 = abs(_e1116);
+                                            let _e1154 = abs(_e1129);
+                                            let _e1155 = abs(_e1142);
+                                            if (abs(_e1072) < 1000000000000000f) {
+                                                if (abs(_e1085) < 1000000000000000f) {
+                                                    if (abs(_e1098) < 1000000000000000f) {
+                                                        if (_e1153 < 1000000000000000f) {
+                                                            if (_e1154 < 1000000000000000f) {
+                                                                if (_e1155 < 1000000000000000f) {
+                                                                    if (_e1153 > 0f) {
+                                                                        phi_1747_ = bool();
+                                                                        phi_1748_ = true;
                                                                     } else {
-                                                                        let _e1159 = (_e1150 > 0f);
-                                                                        if _e1159 {
-                                                                            phi_1828_ = bool();
+                                                                        let _e1163 = (_e1154 > 0f);
+                                                                        if _e1163 {
+                                                                            phi_1746_ = bool();
                                                                         } else {
-                                                                            phi_1828_ = (_e1151 > 0f);
+                                                                            phi_1746_ = (_e1155 > 0f);
                                                                         }
-                                                                        let _e1162 = phi_1828_;
-                                                                        phi_1829_ = _e1162;
-                                                                        phi_1830_ = _e1159;
+                                                                        let _e1166 = phi_1746_;
+                                                                        phi_1747_ = _e1166;
+                                                                        phi_1748_ = _e1163;
                                                                     }
-                                                                    let _e1164 = phi_1829_;
-                                                                    let _e1166 = phi_1830_;
-                                                                    if _e1166 {
-                                                                        phi_1834_ = true;
+                                                                    let _e1168 = phi_1747_;
+                                                                    let _e1170 = phi_1748_;
+                                                                    if _e1170 {
+                                                                        phi_1752_ = true;
                                                                     } else {
-                                                                        phi_1834_ = _e1164;
+                                                                        phi_1752_ = _e1168;
                                                                     }
-                                                                    let _e1168 = phi_1834_;
-                                                                    phi_1835_ = _e1168;
-                                                                    phi_1836_ = false;
+                                                                    let _e1172 = phi_1752_;
+                                                                    phi_1753_ = _e1172;
+                                                                    phi_1754_ = false;
                                                                 } else {
-                                                                    phi_1835_ = bool();
-                                                                    phi_1836_ = true;
+                                                                    phi_1753_ = bool();
+                                                                    phi_1754_ = true;
                                                                 }
-                                                                let _e1170 = phi_1835_;
-                                                                let _e1172 = phi_1836_;
-                                                                phi_1837_ = _e1170;
-                                                                phi_1838_ = false;
-                                                                phi_1839_ = _e1172;
+                                                                let _e1174 = phi_1753_;
+                                                                let _e1176 = phi_1754_;
+                                                                phi_1755_ = _e1174;
+                                                                phi_1756_ = false;
+                                                                phi_1757_ = _e1176;
                                                             } else {
-                                                                phi_1837_ = bool();
-                                                                phi_1838_ = true;
-                                                                phi_1839_ = false;
+                                                                phi_1755_ = bool();
+                                                                phi_1756_ = true;
+                                                                phi_1757_ = false;
                                                             }
-                                                            let _e1174 = phi_1837_;
-                                                            let _e1176 = phi_1838_;
-                                                            let _e1178 = phi_1839_;
-                                                            phi_1840_ = _e1174;
-                                                            phi_1841_ = _e1176;
-                                                            phi_1842_ = _e1178;
+                                                            let _e1178 = phi_1755_;
+                                                            let _e1180 = phi_1756_;
+                                                            let _e1182 = phi_1757_;
+                                                            phi_1758_ = _e1178;
+                                                            phi_1759_ = _e1180;
+                                                            phi_1760_ = _e1182;
                                                         } else {
-                                                            phi_1840_ = bool();
-                                                            phi_1841_ = true;
-                                                            phi_1842_ = false;
+                                                            phi_1758_ = bool();
+                                                            phi_1759_ = true;
+                                                            phi_1760_ = false;
                                                         }
-                                                        let _e1180 = phi_1840_;
-                                                        let _e1182 = phi_1841_;
-                                                        let _e1184 = phi_1842_;
-                                                        phi_1843_ = _e1180;
-                                                        phi_1844_ = _e1182;
-                                                        phi_1845_ = _e1184;
+                                                        let _e1184 = phi_1758_;
+                                                        let _e1186 = phi_1759_;
+                                                        let _e1188 = phi_1760_;
+                                                        phi_1761_ = _e1184;
+                                                        phi_1762_ = _e1186;
+                                                        phi_1763_ = _e1188;
                                                     } else {
-                                                        phi_1843_ = bool();
-                                                        phi_1844_ = true;
-                                                        phi_1845_ = false;
+                                                        phi_1761_ = bool();
+                                                        phi_1762_ = true;
+                                                        phi_1763_ = false;
                                                     }
-                                                    let _e1186 = phi_1843_;
-                                                    let _e1188 = phi_1844_;
-                                                    let _e1190 = phi_1845_;
-                                                    phi_1846_ = _e1186;
-                                                    phi_1847_ = _e1188;
-                                                    phi_1848_ = _e1190;
+                                                    let _e1190 = phi_1761_;
+                                                    let _e1192 = phi_1762_;
+                                                    let _e1194 = phi_1763_;
+                                                    phi_1764_ = _e1190;
+                                                    phi_1765_ = _e1192;
+                                                    phi_1766_ = _e1194;
                                                 } else {
-                                                    phi_1846_ = bool();
-                                                    phi_1847_ = true;
-                                                    phi_1848_ = false;
+                                                    phi_1764_ = bool();
+                                                    phi_1765_ = true;
+                                                    phi_1766_ = false;
                                                 }
-                                                let _e1192 = phi_1846_;
-                                                let _e1194 = phi_1847_;
-                                                let _e1196 = phi_1848_;
-                                                phi_1849_ = _e1192;
-                                                phi_1850_ = _e1194;
-                                                phi_1851_ = _e1196;
+                                                let _e1196 = phi_1764_;
+                                                let _e1198 = phi_1765_;
+                                                let _e1200 = phi_1766_;
+                                                phi_1767_ = _e1196;
+                                                phi_1768_ = _e1198;
+                                                phi_1769_ = _e1200;
                                             } else {
-                                                phi_1849_ = bool();
-                                                phi_1850_ = true;
-                                                phi_1851_ = false;
+                                                phi_1767_ = bool();
+                                                phi_1768_ = true;
+                                                phi_1769_ = false;
                                             }
-                                            let _e1198 = phi_1849_;
-                                            let _e1200 = phi_1850_;
-                                            let _e1202 = phi_1851_;
-                                            if _e1200 {
-                                                phi_1855_ = true;
-                                            } else {
-                                                phi_1855_ = _e1202;
-                                            }
-                                            let _e1204 = phi_1855_;
+                                            let _e1202 = phi_1767_;
+                                            let _e1204 = phi_1768_;
+                                            let _e1206 = phi_1769_;
                                             if _e1204 {
-                                                phi_1859_ = false;
+                                                phi_1773_ = true;
                                             } else {
-                                                phi_1859_ = _e1198;
+                                                phi_1773_ = _e1206;
                                             }
-                                            let _e1206 = phi_1859_;
-                                            if _e1206 {
-                                                let _e1207 = (_e1143 >= _e75);
-                                                if _e1207 {
-                                                    phi_3336_ = lt_bvh_Hit();
+                                            let _e1208 = phi_1773_;
+                                            if _e1208 {
+                                                phi_1777_ = false;
+                                            } else {
+                                                phi_1777_ = _e1202;
+                                            }
+                                            let _e1210 = phi_1777_;
+                                            if _e1210 {
+                                                let _e1211 = (_e1147 >= _e78);
+                                                if _e1211 {
+                                                    phi_3284_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1143 < _e75) {
+                                                    if (_e1147 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1213 = nodes.member[(0u + _e1143)].frame[0u];
-                                                    let _e1217 = nodes.member[(0u + _e1143)].frame[1u];
-                                                    let _e1221 = nodes.member[(0u + _e1143)].frame[2u];
-                                                    let _e1225 = nodes.member[(0u + _e1143)].frame[0u];
-                                                    let _e1229 = nodes.member[(0u + _e1143)].frame[1u];
-                                                    let _e1233 = nodes.member[(0u + _e1143)].frame[2u];
-                                                    let _e1237 = nodes.member[(0u + _e1143)].frame[3u];
-                                                    let _e1271 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1113), abs(_e1126));
-                                                    let _e1272 = core_intrinsics_maximum_number_nsz_f32_(_e1271, abs(_e1139));
-                                                    let _e1273 = (_e1272 * 0.0000000000009094947f);
-                                                    if (abs(_e1113) < _e1273) {
-                                                        phi_1929_ = _e1273;
+                                                    let _e1217 = nodes.member[(0u + _e1147)].frame[0u];
+                                                    let _e1221 = nodes.member[(0u + _e1147)].frame[1u];
+                                                    let _e1225 = nodes.member[(0u + _e1147)].frame[2u];
+                                                    let _e1229 = nodes.member[(0u + _e1147)].frame[0u];
+                                                    let _e1233 = nodes.member[(0u + _e1147)].frame[1u];
+                                                    let _e1237 = nodes.member[(0u + _e1147)].frame[2u];
+                                                    let _e1241 = nodes.member[(0u + _e1147)].frame[3u];
+                                                    let _e1275 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1116), abs(_e1129));
+                                                    let _e1276 = core_intrinsics_maximum_number_nsz_f32_(_e1275, abs(_e1142));
+                                                    let _e1277 = (_e1276 * 0.0000000000009094947f);
+                                                    if (abs(_e1116) < _e1277) {
+                                                        phi_1847_ = _e1277;
                                                     } else {
-                                                        phi_1929_ = abs(_e1113);
+                                                        phi_1847_ = abs(_e1116);
                                                     }
-                                                    let _e1278 = phi_1929_;
-                                                    if (_e1113 < 0f) {
-                                                        phi_1936_ = (-1f / _e1278);
+                                                    let _e1282 = phi_1847_;
+                                                    if (_e1116 < 0f) {
+                                                        phi_1854_ = (-1f / _e1282);
                                                     } else {
-                                                        phi_1936_ = (1f / _e1278);
+                                                        phi_1854_ = (1f / _e1282);
                                                     }
-                                                    let _e1283 = phi_1936_;
-                                                    if (abs(_e1126) < _e1273) {
-                                                        phi_1943_ = _e1273;
+                                                    let _e1287 = phi_1854_;
+                                                    if (abs(_e1129) < _e1277) {
+                                                        phi_1861_ = _e1277;
                                                     } else {
-                                                        phi_1943_ = abs(_e1126);
+                                                        phi_1861_ = abs(_e1129);
                                                     }
-                                                    let _e1288 = phi_1943_;
-                                                    if (_e1126 < 0f) {
-                                                        phi_1950_ = (-1f / _e1288);
+                                                    let _e1292 = phi_1861_;
+                                                    if (_e1129 < 0f) {
+                                                        phi_1868_ = (-1f / _e1292);
                                                     } else {
-                                                        phi_1950_ = (1f / _e1288);
+                                                        phi_1868_ = (1f / _e1292);
                                                     }
-                                                    let _e1293 = phi_1950_;
-                                                    if (abs(_e1139) < _e1273) {
-                                                        phi_1957_ = _e1273;
+                                                    let _e1297 = phi_1868_;
+                                                    if (abs(_e1142) < _e1277) {
+                                                        phi_1875_ = _e1277;
                                                     } else {
-                                                        phi_1957_ = abs(_e1139);
+                                                        phi_1875_ = abs(_e1142);
                                                     }
-                                                    let _e1298 = phi_1957_;
-                                                    if (_e1139 < 0f) {
-                                                        phi_1964_ = (-1f / _e1298);
+                                                    let _e1302 = phi_1875_;
+                                                    if (_e1142 < 0f) {
+                                                        phi_1882_ = (-1f / _e1302);
                                                     } else {
-                                                        phi_1964_ = (1f / _e1298);
+                                                        phi_1882_ = (1f / _e1302);
                                                     }
-                                                    let _e1303 = phi_1964_;
-                                                    let _e1307 = abs((bitcast<f32>(_e1213) - _e1069));
-                                                    let _e1308 = abs((bitcast<f32>(_e1217) - _e1082));
-                                                    let _e1309 = abs((bitcast<f32>(_e1221) - _e1095));
-                                                    let _e1313 = abs(((bitcast<f32>(_e1225) + (bitcast<f32>((((_e1237 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1069));
-                                                    let _e1314 = abs(((bitcast<f32>(_e1229) + (bitcast<f32>((((_e1237 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1082));
-                                                    let _e1315 = abs(((bitcast<f32>(_e1233) + (bitcast<f32>((((_e1237 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1095));
-                                                    if (_e1307 > _e1313) {
-                                                        phi_1981_ = _e1307;
+                                                    let _e1307 = phi_1882_;
+                                                    let _e1311 = abs((bitcast<f32>(_e1217) - _e1072));
+                                                    let _e1312 = abs((bitcast<f32>(_e1221) - _e1085));
+                                                    let _e1313 = abs((bitcast<f32>(_e1225) - _e1098));
+                                                    let _e1317 = abs(((bitcast<f32>(_e1229) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1072));
+                                                    let _e1318 = abs(((bitcast<f32>(_e1233) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1085));
+                                                    let _e1319 = abs(((bitcast<f32>(_e1237) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1098));
+                                                    if (_e1311 > _e1317) {
+                                                        phi_1899_ = _e1311;
                                                     } else {
-                                                        phi_1981_ = _e1313;
+                                                        phi_1899_ = _e1317;
                                                     }
-                                                    let _e1318 = phi_1981_;
-                                                    if (_e1308 > _e1314) {
-                                                        phi_1986_ = _e1308;
+                                                    let _e1322 = phi_1899_;
+                                                    if (_e1312 > _e1318) {
+                                                        phi_1904_ = _e1312;
                                                     } else {
-                                                        phi_1986_ = _e1314;
+                                                        phi_1904_ = _e1318;
                                                     }
-                                                    let _e1321 = phi_1986_;
-                                                    if (_e1309 > _e1315) {
-                                                        phi_1991_ = _e1309;
+                                                    let _e1325 = phi_1904_;
+                                                    if (_e1313 > _e1319) {
+                                                        phi_1909_ = _e1313;
                                                     } else {
-                                                        phi_1991_ = _e1315;
+                                                        phi_1909_ = _e1319;
                                                     }
-                                                    let _e1324 = phi_1991_;
-                                                    let _e1325 = core_intrinsics_maximum_number_nsz_f32_(_e1318, _e1321);
-                                                    let _e1326 = core_intrinsics_maximum_number_nsz_f32_(_e1325, _e1324);
-                                                    let _e1330 = (_e1326 * 0.0000019073486f);
-                                                    let _e1331 = (abs(_e1283) * _e1330);
-                                                    let _e1332 = (abs(_e1293) * _e1330);
-                                                    let _e1333 = (abs(_e1303) * _e1330);
-                                                    let _e1337 = (_e1326 * 0.0000009536743f);
-                                                    let _e1338 = (abs(_e1283) * _e1337);
-                                                    let _e1339 = (abs(_e1293) * _e1337);
-                                                    let _e1340 = (abs(_e1303) * _e1337);
-                                                    let _e1341 = abs(_e1113);
-                                                    let _e1342 = abs(_e1126);
-                                                    let _e1343 = abs(_e1139);
-                                                    if (_e1341 >= _e1342) {
-                                                        if (_e1341 >= _e1343) {
-                                                            phi_2019_ = false;
+                                                    let _e1328 = phi_1909_;
+                                                    let _e1329 = core_intrinsics_maximum_number_nsz_f32_(_e1322, _e1325);
+                                                    let _e1330 = core_intrinsics_maximum_number_nsz_f32_(_e1329, _e1328);
+                                                    let _e1334 = (_e1330 * 0.0000019073486f);
+                                                    let _e1335 = (abs(_e1287) * _e1334);
+                                                    let _e1336 = (abs(_e1297) * _e1334);
+                                                    let _e1337 = (abs(_e1307) * _e1334);
+                                                    let _e1341 = (_e1330 * 0.0000009536743f);
+                                                    let _e1342 = (abs(_e1287) * _e1341);
+                                                    let _e1343 = (abs(_e1297) * _e1341);
+                                                    let _e1344 = (abs(_e1307) * _e1341);
+                                                    let _e1345 = abs(_e1116);
+                                                    let _e1346 = abs(_e1129);
+                                                    let _e1347 = abs(_e1142);
+                                                    if (_e1345 >= _e1346) {
+                                                        if (_e1345 >= _e1347) {
+                                                            phi_1937_ = false;
                                                         } else {
-                                                            phi_2019_ = true;
+                                                            phi_1937_ = true;
                                                         }
-                                                        let _e1347 = phi_2019_;
-                                                        phi_2020_ = _e1347;
+                                                        let _e1351 = phi_1937_;
+                                                        phi_1938_ = _e1351;
                                                     } else {
-                                                        phi_2020_ = true;
+                                                        phi_1938_ = true;
                                                     }
-                                                    let _e1349 = phi_2020_;
-                                                    if _e1349 {
-                                                        if (_e1342 >= _e1343) {
-                                                            phi_2028_ = 1u;
+                                                    let _e1353 = phi_1938_;
+                                                    if _e1353 {
+                                                        if (_e1346 >= _e1347) {
+                                                            phi_1946_ = 1u;
                                                         } else {
-                                                            phi_2028_ = 2u;
+                                                            phi_1946_ = 2u;
                                                         }
-                                                        let _e1352 = phi_2028_;
-                                                        phi_2029_ = _e1352;
+                                                        let _e1356 = phi_1946_;
+                                                        phi_1947_ = _e1356;
                                                     } else {
-                                                        phi_2029_ = 0u;
+                                                        phi_1947_ = 0u;
                                                     }
-                                                    let _e1354 = phi_2029_;
-                                                    if (_e1354 == 0u) {
-                                                        phi_2041_ = vec3<f32>(_e1126, _e1139, _e1113);
+                                                    let _e1358 = phi_1947_;
+                                                    if (_e1358 == 0u) {
+                                                        phi_1959_ = vec3<f32>(_e1129, _e1142, _e1116);
                                                     } else {
-                                                        if (_e1354 == 1u) {
-                                                            phi_2040_ = vec3<f32>(_e1139, _e1113, _e1126);
+                                                        if (_e1358 == 1u) {
+                                                            phi_1958_ = vec3<f32>(_e1142, _e1116, _e1129);
                                                         } else {
-                                                            phi_2040_ = vec3<f32>(_e1113, _e1126, _e1139);
+                                                            phi_1958_ = vec3<f32>(_e1116, _e1129, _e1142);
                                                         }
-                                                        let _e1360 = phi_2040_;
-                                                        phi_2041_ = _e1360;
+                                                        let _e1364 = phi_1958_;
+                                                        phi_1959_ = _e1364;
                                                     }
-                                                    let _e1362 = phi_2041_;
-                                                    let _e1365 = (_e1362.x / _e1362.z);
-                                                    let _e1368 = (_e1362.y / _e1362.z);
-                                                    let _e1370 = (1f / _e1362.z);
-                                                    if (_e1283 < 0f) {
-                                                        phi_2054_ = 0u;
+                                                    let _e1366 = phi_1959_;
+                                                    let _e1369 = (_e1366.x / _e1366.z);
+                                                    let _e1372 = (_e1366.y / _e1366.z);
+                                                    let _e1374 = (1f / _e1366.z);
+                                                    if (_e1287 < 0f) {
+                                                        phi_1972_ = 0u;
                                                     } else {
-                                                        phi_2054_ = 1u;
+                                                        phi_1972_ = 1u;
                                                     }
-                                                    let _e1373 = phi_2054_;
-                                                    if (_e1293 < 0f) {
-                                                        phi_2059_ = 0u;
+                                                    let _e1377 = phi_1972_;
+                                                    if (_e1297 < 0f) {
+                                                        phi_1977_ = 0u;
                                                     } else {
-                                                        phi_2059_ = 2u;
+                                                        phi_1977_ = 2u;
                                                     }
-                                                    let _e1376 = phi_2059_;
-                                                    if (_e1303 < 0f) {
-                                                        phi_2064_ = 0u;
+                                                    let _e1380 = phi_1977_;
+                                                    if (_e1307 < 0f) {
+                                                        phi_1982_ = 0u;
                                                     } else {
-                                                        phi_2064_ = 4u;
+                                                        phi_1982_ = 4u;
                                                     }
-                                                    let _e1379 = phi_2064_;
-                                                    let _e1381 = ((_e1373 | _e1376) | _e1379);
-                                                    let _e1382 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1143, 2147483648u);
-                                                    local_5 = lt_bvh_traverse_Stack(array<u32, 32>(_e1382.first[0], _e1382.first[1], _e1382.first[2], _e1382.first[3], _e1382.first[4], _e1382.first[5], _e1382.first[6], _e1382.first[7], _e1382.first[8], _e1382.first[9], _e1382.first[10], _e1382.first[11], _e1382.first[12], _e1382.first[13], _e1382.first[14], _e1382.first[15], _e1382.first[16], _e1382.first[17], _e1382.first[18], _e1382.first[19], _e1382.first[20], _e1382.first[21], _e1382.first[22], _e1382.first[23], _e1382.first[24], _e1382.first[25], _e1382.first[26], _e1382.first[27], _e1382.first[28], _e1382.first[29], _e1382.first[30], _e1382.first[31]), array<u32, 32>(_e1382.mask[0], _e1382.mask[1], _e1382.mask[2], _e1382.mask[3], _e1382.mask[4], _e1382.mask[5], _e1382.mask[6], _e1382.mask[7], _e1382.mask[8], _e1382.mask[9], _e1382.mask[10], _e1382.mask[11], _e1382.mask[12], _e1382.mask[13], _e1382.mask[14], _e1382.mask[15], _e1382.mask[16], _e1382.mask[17], _e1382.mask[18], _e1382.mask[19], _e1382.mask[20], _e1382.mask[21], _e1382.mask[22], _e1382.mask[23], _e1382.mask[24], _e1382.mask[25], _e1382.mask[26], _e1382.mask[27], _e1382.mask[28], _e1382.mask[29], _e1382.mask[30], _e1382.mask[31]), _e1382.len, _e1382.group, _e1382.group_mask);
-                                                    let _e1456 = local_5.group_mask;
-                                                    if ((_e1456 & 4278190080u) == 0u) {
-                                                        let _e1460 = local_5.len;
-                                                        if (_e1460 == 0u) {
-                                                            phi_2178_ = false;
+                                                    let _e1383 = phi_1982_;
+                                                    let _e1385 = ((_e1377 | _e1380) | _e1383);
+                                                    let _e1386 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1147, 2147483648u);
+                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1386.first[0], _e1386.first[1], _e1386.first[2], _e1386.first[3], _e1386.first[4], _e1386.first[5], _e1386.first[6], _e1386.first[7], _e1386.first[8], _e1386.first[9], _e1386.first[10], _e1386.first[11], _e1386.first[12], _e1386.first[13], _e1386.first[14], _e1386.first[15], _e1386.first[16], _e1386.first[17], _e1386.first[18], _e1386.first[19], _e1386.first[20], _e1386.first[21], _e1386.first[22], _e1386.first[23], _e1386.first[24], _e1386.first[25], _e1386.first[26], _e1386.first[27], _e1386.first[28], _e1386.first[29], _e1386.first[30], _e1386.first[31]), array<u32, 32>(_e1386.mask[0], _e1386.mask[1], _e1386.mask[2], _e1386.mask[3], _e1386.mask[4], _e1386.mask[5], _e1386.mask[6], _e1386.mask[7], _e1386.mask[8], _e1386.mask[9], _e1386.mask[10], _e1386.mask[11], _e1386.mask[12], _e1386.mask[13], _e1386.mask[14], _e1386.mask[15], _e1386.mask[16], _e1386.mask[17], _e1386.mask[18], _e1386.mask[19], _e1386.mask[20], _e1386.mask[21], _e1386.mask[22], _e1386.mask[23], _e1386.mask[24], _e1386.mask[25], _e1386.mask[26], _e1386.mask[27], _e1386.mask[28], _e1386.mask[29], _e1386.mask[30], _e1386.mask[31]), _e1386.len, _e1386.group, _e1386.group_mask);
+                                                    let _e1460 = local_2.group_mask;
+                                                    if ((_e1460 & 4278190080u) == 0u) {
+                                                        let _e1464 = local_2.len;
+                                                        if (_e1464 == 0u) {
+                                                            phi_2096_ = false;
                                                         } else {
-                                                            let _e1464 = local_5.len;
-                                                            local_5.len = (_e1464 - 1u);
-                                                            let _e1467 = local_5.len;
-                                                            if (_e1467 < 32u) {
+                                                            let _e1468 = local_2.len;
+                                                            local_2.len = (_e1468 - 1u);
+                                                            let _e1471 = local_2.len;
+                                                            if (_e1471 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1472 = local_5.first[(0u + _e1467)];
-                                                            local_5.group = _e1472;
-                                                            let _e1475 = local_5.len;
-                                                            if (_e1475 < 32u) {
+                                                            let _e1476 = local_2.first[(0u + _e1471)];
+                                                            local_2.group = _e1476;
+                                                            let _e1479 = local_2.len;
+                                                            if (_e1479 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1480 = local_5.mask[(0u + _e1475)];
-                                                            local_5.group_mask = _e1480;
-                                                            phi_2178_ = true;
+                                                            let _e1484 = local_2.mask[(0u + _e1479)];
+                                                            local_2.group_mask = _e1484;
+                                                            phi_2096_ = true;
                                                         }
-                                                        let _e1483 = phi_2178_;
-                                                        phi_2179_ = _e1483;
+                                                        let _e1487 = phi_2096_;
+                                                        phi_2097_ = _e1487;
                                                     } else {
-                                                        phi_2179_ = true;
+                                                        phi_2097_ = true;
                                                     }
-                                                    let _e1485 = phi_2179_;
-                                                    if _e1485 {
-                                                        let _e1487 = local_5.group_mask;
-                                                        let _e1493 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1487)), 32u, (_e1487 == 0u)));
-                                                        let _e1497 = local_5.group_mask;
-                                                        let _e1511 = local_5.group_mask;
-                                                        local_5.group_mask = (_e1511 & ~((1u << bitcast<u32>((_e1493 & 31u)))));
-                                                        let _e1514 = local_5.group;
-                                                        phi_2210_ = (_e1514 + countOneBits(((_e1497 & ~((4294967295u << bitcast<u32>((((_e1493 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1489 = phi_2097_;
+                                                    if _e1489 {
+                                                        let _e1491 = local_2.group_mask;
+                                                        let _e1497 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1491)), 32u, (_e1491 == 0u)));
+                                                        let _e1501 = local_2.group_mask;
+                                                        let _e1515 = local_2.group_mask;
+                                                        local_2.group_mask = (_e1515 & ~((1u << bitcast<u32>((_e1497 & 31u)))));
+                                                        let _e1518 = local_2.group;
+                                                        phi_2128_ = (_e1518 + countOneBits(((_e1501 & ~((4294967295u << bitcast<u32>((((_e1497 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2210_ = 4294967295u;
+                                                        phi_2128_ = 4294967295u;
                                                     }
-                                                    let _e1517 = phi_2210_;
-                                                    phi_2212_ = _e977;
-                                                    phi_2215_ = _e1517;
+                                                    let _e1521 = phi_2128_;
+                                                    phi_2130_ = _e980;
+                                                    phi_2133_ = _e1521;
                                                     loop {
-                                                        let _e1519 = phi_2212_;
-                                                        let _e1521 = phi_2215_;
-                                                        local_14 = _e1519;
-                                                        let _e1522 = (_e1521 != 4294967295u);
-                                                        if _e1522 {
-                                                            if (_e1521 < _e75) {
+                                                        let _e1523 = phi_2130_;
+                                                        let _e1525 = phi_2133_;
+                                                        local_11 = _e1523;
+                                                        let _e1526 = (_e1525 != 4294967295u);
+                                                        if _e1526 {
+                                                            if (_e1525 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1529 = nodes.member[(0u + _e1521)].frame[3u];
-                                                            let _e1554 = (bitcast<f32>((((_e1529 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1283);
-                                                            let _e1555 = (bitcast<f32>((((_e1529 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1293);
-                                                            let _e1556 = (bitcast<f32>((((_e1529 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1303);
-                                                            let _e1559 = nodes.member[(0u + _e1521)].frame[0u];
-                                                            let _e1563 = nodes.member[(0u + _e1521)].frame[1u];
-                                                            let _e1567 = nodes.member[(0u + _e1521)].frame[2u];
-                                                            let _e1572 = ((bitcast<f32>(_e1559) - _e1069) * _e1283);
-                                                            let _e1573 = ((bitcast<f32>(_e1563) - _e1082) * _e1293);
-                                                            let _e1574 = ((bitcast<f32>(_e1567) - _e1095) * _e1303);
-                                                            let _e1582 = nodes.member[(0u + _e1521)].x;
-                                                            if (_e1283 < 0f) {
-                                                                let _e1593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1582.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1593.unnamed.root, _e1582.w), _e1593.unnamed_1);
-                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1599.unnamed, lt_bvh_traverse_Tree(_e1582.x, _e1599.unnamed_1.first_primitive));
-                                                                phi_2296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1605.unnamed, lt_bvh_traverse_Tree(_e1605.unnamed_1.root, _e1582.y));
+                                                            let _e1533 = nodes.member[(0u + _e1525)].frame[3u];
+                                                            let _e1558 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1287);
+                                                            let _e1559 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1297);
+                                                            let _e1560 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1307);
+                                                            let _e1563 = nodes.member[(0u + _e1525)].frame[0u];
+                                                            let _e1567 = nodes.member[(0u + _e1525)].frame[1u];
+                                                            let _e1571 = nodes.member[(0u + _e1525)].frame[2u];
+                                                            let _e1576 = ((bitcast<f32>(_e1563) - _e1072) * _e1287);
+                                                            let _e1577 = ((bitcast<f32>(_e1567) - _e1085) * _e1297);
+                                                            let _e1578 = ((bitcast<f32>(_e1571) - _e1098) * _e1307);
+                                                            let _e1586 = nodes.member[(0u + _e1525)].x;
+                                                            if (_e1287 < 0f) {
+                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1597.unnamed.root, _e1586.w), _e1597.unnamed_1);
+                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1603.unnamed, lt_bvh_traverse_Tree(_e1586.x, _e1603.unnamed_1.first_primitive));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_bvh_traverse_Tree(_e1609.unnamed_1.root, _e1586.y));
                                                             } else {
-                                                                let _e1621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1582.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1621.unnamed.root, _e1582.y), _e1621.unnamed_1);
-                                                                let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1627.unnamed, lt_bvh_traverse_Tree(_e1582.z, _e1627.unnamed_1.first_primitive));
-                                                                phi_2296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1633.unnamed, lt_bvh_traverse_Tree(_e1633.unnamed_1.root, _e1582.w));
+                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1625.unnamed.root, _e1586.y), _e1625.unnamed_1);
+                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1631.unnamed, lt_bvh_traverse_Tree(_e1586.z, _e1631.unnamed_1.first_primitive));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_bvh_traverse_Tree(_e1637.unnamed_1.root, _e1586.w));
                                                             }
-                                                            let _e1641 = phi_2296_;
-                                                            let _e1651 = nodes.member[(0u + _e1521)].y;
-                                                            if (_e1293 < 0f) {
-                                                                let _e1662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1651.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1662.unnamed.root, _e1651.w), _e1662.unnamed_1);
-                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1668.unnamed, lt_bvh_traverse_Tree(_e1651.x, _e1668.unnamed_1.first_primitive));
-                                                                phi_2323_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1674.unnamed, lt_bvh_traverse_Tree(_e1674.unnamed_1.root, _e1651.y));
+                                                            let _e1645 = phi_2214_;
+                                                            let _e1655 = nodes.member[(0u + _e1525)].y;
+                                                            if (_e1297 < 0f) {
+                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1666.unnamed.root, _e1655.w), _e1666.unnamed_1);
+                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1672.unnamed, lt_bvh_traverse_Tree(_e1655.x, _e1672.unnamed_1.first_primitive));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_bvh_traverse_Tree(_e1678.unnamed_1.root, _e1655.y));
                                                             } else {
-                                                                let _e1690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1651.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1690.unnamed.root, _e1651.y), _e1690.unnamed_1);
-                                                                let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1696.unnamed, lt_bvh_traverse_Tree(_e1651.z, _e1696.unnamed_1.first_primitive));
-                                                                phi_2323_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1702.unnamed, lt_bvh_traverse_Tree(_e1702.unnamed_1.root, _e1651.w));
+                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1694.unnamed.root, _e1655.y), _e1694.unnamed_1);
+                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1700.unnamed, lt_bvh_traverse_Tree(_e1655.z, _e1700.unnamed_1.first_primitive));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_bvh_traverse_Tree(_e1706.unnamed_1.root, _e1655.w));
                                                             }
-                                                            let _e1710 = phi_2323_;
-                                                            let _e1720 = nodes.member[(0u + _e1521)].z;
-                                                            if (_e1303 < 0f) {
-                                                                let _e1731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1720.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1731.unnamed.root, _e1720.w), _e1731.unnamed_1);
-                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1737.unnamed, lt_bvh_traverse_Tree(_e1720.x, _e1737.unnamed_1.first_primitive));
-                                                                phi_2350_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1743.unnamed, lt_bvh_traverse_Tree(_e1743.unnamed_1.root, _e1720.y));
+                                                            let _e1714 = phi_2241_;
+                                                            let _e1724 = nodes.member[(0u + _e1525)].z;
+                                                            if (_e1307 < 0f) {
+                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1724.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1735.unnamed.root, _e1724.w), _e1735.unnamed_1);
+                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1741.unnamed, lt_bvh_traverse_Tree(_e1724.x, _e1741.unnamed_1.first_primitive));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1747.unnamed, lt_bvh_traverse_Tree(_e1747.unnamed_1.root, _e1724.y));
                                                             } else {
-                                                                let _e1759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1720.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1759.unnamed.root, _e1720.y), _e1759.unnamed_1);
-                                                                let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1765.unnamed, lt_bvh_traverse_Tree(_e1720.z, _e1765.unnamed_1.first_primitive));
-                                                                phi_2350_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1771.unnamed, lt_bvh_traverse_Tree(_e1771.unnamed_1.root, _e1720.w));
+                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1724.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1763.unnamed.root, _e1724.y), _e1763.unnamed_1);
+                                                                let _e1775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1769.unnamed, lt_bvh_traverse_Tree(_e1724.z, _e1769.unnamed_1.first_primitive));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1775.unnamed, lt_bvh_traverse_Tree(_e1775.unnamed_1.root, _e1724.w));
                                                             }
-                                                            let _e1779 = phi_2350_;
-                                                            phi_2356_ = 0u;
-                                                            phi_2359_ = 0u;
+                                                            let _e1783 = phi_2268_;
+                                                            phi_2274_ = 0u;
+                                                            phi_2277_ = 0u;
                                                             loop {
-                                                                let _e1789 = phi_2356_;
-                                                                let _e1791 = phi_2359_;
-                                                                local_10 = _e1791;
-                                                                local_11 = _e1791;
-                                                                local_12 = _e1791;
-                                                                let _e1792 = (_e1789 < 8u);
-                                                                if _e1792 {
-                                                                    let _e1794 = (_e1789 >> bitcast<u32>(2i));
-                                                                    let _e1795 = (_e1789 & 3u);
-                                                                    if (_e1794 == 0u) {
-                                                                        phi_2373_ = _e1641.unnamed.root;
+                                                                let _e1793 = phi_2274_;
+                                                                let _e1795 = phi_2277_;
+                                                                local_7 = _e1795;
+                                                                local_8 = _e1795;
+                                                                local_9 = _e1795;
+                                                                let _e1796 = (_e1793 < 8u);
+                                                                if _e1796 {
+                                                                    let _e1798 = (_e1793 >> bitcast<u32>(2i));
+                                                                    let _e1799 = (_e1793 & 3u);
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2291_ = _e1645.unnamed.root;
                                                                     } else {
-                                                                        phi_2373_ = _e1641.unnamed.first_primitive;
+                                                                        phi_2291_ = _e1645.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1798 = phi_2373_;
-                                                                    if (_e1794 == 0u) {
-                                                                        phi_2383_ = _e1710.unnamed.root;
+                                                                    let _e1802 = phi_2291_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2301_ = _e1714.unnamed.root;
                                                                     } else {
-                                                                        phi_2383_ = _e1710.unnamed.first_primitive;
+                                                                        phi_2301_ = _e1714.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1807 = phi_2383_;
-                                                                    if (_e1794 == 0u) {
-                                                                        phi_2393_ = _e1779.unnamed.root;
+                                                                    let _e1811 = phi_2301_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2311_ = _e1783.unnamed.root;
                                                                     } else {
-                                                                        phi_2393_ = _e1779.unnamed.first_primitive;
+                                                                        phi_2311_ = _e1783.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1816 = phi_2393_;
-                                                                    let _e1829 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1798 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 - _e1331)), ((f32(((_e1807 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)));
-                                                                    let _e1830 = core_intrinsics_maximum_number_nsz_f32_(_e1829, ((f32(((_e1816 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 - _e1333)));
-                                                                    if (_e1794 == 0u) {
-                                                                        phi_2411_ = _e1641.unnamed_1.root;
+                                                                    let _e1820 = phi_2311_;
+                                                                    let _e1833 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1802 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 - _e1335)), ((f32(((_e1811 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 - _e1336)));
+                                                                    let _e1834 = core_intrinsics_maximum_number_nsz_f32_(_e1833, ((f32(((_e1820 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 - _e1337)));
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2329_ = _e1645.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2411_ = _e1641.unnamed_1.first_primitive;
+                                                                        phi_2329_ = _e1645.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1833 = phi_2411_;
-                                                                    if (_e1794 == 0u) {
-                                                                        phi_2421_ = _e1710.unnamed_1.root;
+                                                                    let _e1837 = phi_2329_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2339_ = _e1714.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2421_ = _e1710.unnamed_1.first_primitive;
+                                                                        phi_2339_ = _e1714.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1842 = phi_2421_;
-                                                                    if (_e1794 == 0u) {
-                                                                        phi_2431_ = _e1779.unnamed_1.root;
+                                                                    let _e1846 = phi_2339_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2349_ = _e1783.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2431_ = _e1779.unnamed_1.first_primitive;
+                                                                        phi_2349_ = _e1783.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1851 = phi_2431_;
-                                                                    let _e1864 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1833 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 + _e1331)), ((f32(((_e1842 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1332)));
-                                                                    let _e1865 = core_intrinsics_minimum_number_nsz_f32_(_e1864, ((f32(((_e1851 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 + _e1333)));
-                                                                    if (_e1830 <= _e1865) {
-                                                                        if (_e1830 <= _e1519.t) {
-                                                                            if (_e1865 >= _e159.tmin) {
-                                                                                if (_e1794 == 0u) {
-                                                                                    let _e1872 = nodes.member[(0u + _e1521)].links[2u];
-                                                                                    phi_2467_ = _e1872;
+                                                                    let _e1855 = phi_2349_;
+                                                                    let _e1868 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1837 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 + _e1335)), ((f32(((_e1846 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 + _e1336)));
+                                                                    let _e1869 = core_intrinsics_minimum_number_nsz_f32_(_e1868, ((f32(((_e1855 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 + _e1337)));
+                                                                    if (_e1834 <= _e1869) {
+                                                                        if (_e1834 <= _e1523.t) {
+                                                                            if (_e1869 >= _e162.tmin) {
+                                                                                if (_e1798 == 0u) {
+                                                                                    let _e1876 = nodes.member[(0u + _e1525)].links[2u];
+                                                                                    phi_2385_ = _e1876;
                                                                                 } else {
-                                                                                    let _e1875 = nodes.member[(0u + _e1521)].links[3u];
-                                                                                    phi_2467_ = _e1875;
+                                                                                    let _e1879 = nodes.member[(0u + _e1525)].links[3u];
+                                                                                    phi_2385_ = _e1879;
                                                                                 }
-                                                                                let _e1877 = phi_2467_;
-                                                                                let _e1882 = ((_e1877 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u);
-                                                                                let _e1883 = (_e1882 & 31u);
-                                                                                if (_e1883 >= 24u) {
-                                                                                    phi_2480_ = (24u + ((_e1883 - 24u) ^ _e1381));
+                                                                                let _e1881 = phi_2385_;
+                                                                                let _e1886 = ((_e1881 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u);
+                                                                                let _e1887 = (_e1886 & 31u);
+                                                                                if (_e1887 >= 24u) {
+                                                                                    phi_2398_ = (24u + ((_e1887 - 24u) ^ _e1385));
                                                                                 } else {
-                                                                                    phi_2480_ = _e1883;
+                                                                                    phi_2398_ = _e1887;
                                                                                 }
-                                                                                let _e1889 = phi_2480_;
-                                                                                phi_2485_ = (_e1791 | ((_e1882 >> bitcast<u32>(5i)) << bitcast<u32>((_e1889 & 31u))));
+                                                                                let _e1893 = phi_2398_;
+                                                                                phi_2403_ = (_e1795 | ((_e1886 >> bitcast<u32>(5i)) << bitcast<u32>((_e1893 & 31u))));
                                                                             } else {
-                                                                                phi_2485_ = _e1791;
+                                                                                phi_2403_ = _e1795;
                                                                             }
-                                                                            let _e1897 = phi_2485_;
-                                                                            phi_2486_ = _e1897;
+                                                                            let _e1901 = phi_2403_;
+                                                                            phi_2404_ = _e1901;
                                                                         } else {
-                                                                            phi_2486_ = _e1791;
+                                                                            phi_2404_ = _e1795;
                                                                         }
-                                                                        let _e1899 = phi_2486_;
-                                                                        phi_2487_ = _e1899;
+                                                                        let _e1903 = phi_2404_;
+                                                                        phi_2405_ = _e1903;
                                                                     } else {
-                                                                        phi_2487_ = _e1791;
+                                                                        phi_2405_ = _e1795;
                                                                     }
-                                                                    let _e1901 = phi_2487_;
-                                                                    phi_2357_ = (_e1789 + 1u);
-                                                                    phi_2360_ = _e1901;
+                                                                    let _e1905 = phi_2405_;
+                                                                    phi_2275_ = (_e1793 + 1u);
+                                                                    phi_2278_ = _e1905;
                                                                 } else {
-                                                                    phi_2357_ = u32();
-                                                                    phi_2360_ = u32();
+                                                                    phi_2275_ = u32();
+                                                                    phi_2278_ = u32();
                                                                 }
-                                                                let _e1904 = phi_2357_;
-                                                                let _e1906 = phi_2360_;
+                                                                let _e1908 = phi_2275_;
+                                                                let _e1910 = phi_2278_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2356_ = _e1904;
-                                                                    phi_2359_ = _e1906;
-                                                                    break if !(_e1792);
+                                                                    phi_2274_ = _e1908;
+                                                                    phi_2277_ = _e1910;
+                                                                    break if !(_e1796);
                                                                 }
                                                             }
-                                                            let _e1910 = nodes.member[(0u + _e1521)].links[0u];
-                                                            let _e1914 = nodes.member[(0u + _e1521)].frame[3u];
-                                                            let _e1918 = local_10;
-                                                            if ((_e1918 & 4278190080u) == 0u) {
+                                                            let _e1914 = nodes.member[(0u + _e1525)].links[0u];
+                                                            let _e1918 = nodes.member[(0u + _e1525)].frame[3u];
+                                                            let _e1922 = local_7;
+                                                            if ((_e1922 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1922 = local_5.group_mask;
-                                                                if ((_e1922 & 4278190080u) == 0u) {
+                                                                let _e1926 = local_2.group_mask;
+                                                                if ((_e1926 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1926 = local_5.len;
-                                                                    if (_e1926 < 32u) {
-                                                                        let _e1929 = local_5.group;
-                                                                        let _e1931 = local_5.len;
-                                                                        if (_e1931 < 32u) {
+                                                                    let _e1930 = local_2.len;
+                                                                    if (_e1930 < 32u) {
+                                                                        let _e1933 = local_2.group;
+                                                                        let _e1935 = local_2.len;
+                                                                        if (_e1935 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_5.first[(0u + _e1931)] = _e1929;
-                                                                        let _e1937 = local_5.group_mask;
-                                                                        let _e1939 = local_5.len;
-                                                                        if (_e1939 < 32u) {
+                                                                        local_2.first[(0u + _e1935)] = _e1933;
+                                                                        let _e1941 = local_2.group_mask;
+                                                                        let _e1943 = local_2.len;
+                                                                        if (_e1943 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_5.mask[(0u + _e1939)] = _e1937;
-                                                                        let _e1946 = local_5.len;
-                                                                        local_5.len = (_e1946 + 1u);
+                                                                        local_2.mask[(0u + _e1943)] = _e1941;
+                                                                        let _e1950 = local_2.len;
+                                                                        local_2.len = (_e1950 + 1u);
                                                                     }
                                                                 }
-                                                                local_5.group = (_e1143 + _e1910);
-                                                                let _e1950 = local_11;
-                                                                local_5.group_mask = ((_e1950 & 4278190080u) | (_e1914 >> bitcast<u32>(24i)));
+                                                                local_2.group = (_e1147 + _e1914);
+                                                                let _e1954 = local_8;
+                                                                local_2.group_mask = ((_e1954 & 4278190080u) | (_e1918 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1955 = local_12;
-                                                            phi_2545_ = _e1519;
-                                                            phi_2548_ = (_e1955 & 16777215u);
+                                                            let _e1959 = local_9;
+                                                            phi_2463_ = _e1523;
+                                                            phi_2466_ = (_e1959 & 16777215u);
                                                             loop {
-                                                                let _e1958 = phi_2545_;
-                                                                let _e1960 = phi_2548_;
-                                                                local_13 = _e1958;
-                                                                if (_e1960 == 0u) {
-                                                                    phi_2546_ = lt_bvh_Hit();
-                                                                    phi_2549_ = u32();
-                                                                    phi_3264_ = false;
+                                                                let _e1962 = phi_2463_;
+                                                                let _e1964 = phi_2466_;
+                                                                local_10 = _e1962;
+                                                                if (_e1964 == 0u) {
+                                                                    phi_2464_ = lt_bvh_Hit();
+                                                                    phi_2467_ = u32();
+                                                                    phi_3212_ = false;
                                                                 } else {
-                                                                    let _e1964 = nodes.member[(0u + _e1521)].links[1u];
-                                                                    let _e1969 = ((_e1145 + _e1964) + select(firstTrailingBit(_e1960), 32u, (_e1960 == 0u)));
-                                                                    if (_e1969 < _e78) {
+                                                                    let _e1968 = nodes.member[(0u + _e1525)].links[1u];
+                                                                    let _e1973 = ((_e1149 + _e1968) + select(firstTrailingBit(_e1964), 32u, (_e1964 == 0u)));
+                                                                    if (_e1973 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1976 = triangles.member[(0u + _e1969)].v0_;
-                                                                    let _e1978 = (_e1976.x - _e1069);
-                                                                    let _e1980 = (_e1976.y - _e1082);
-                                                                    let _e1982 = (_e1976.z - _e1095);
-                                                                    if (_e1354 == 0u) {
-                                                                        phi_2593_ = vec3<f32>(_e1980, _e1982, _e1978);
+                                                                    let _e1980 = triangles.member[(0u + _e1973)].v0_;
+                                                                    let _e1982 = (_e1980.x - _e1072);
+                                                                    let _e1984 = (_e1980.y - _e1085);
+                                                                    let _e1986 = (_e1980.z - _e1098);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2511_ = vec3<f32>(_e1984, _e1986, _e1982);
                                                                     } else {
-                                                                        if (_e1354 == 1u) {
-                                                                            phi_2592_ = vec3<f32>(_e1982, _e1978, _e1980);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2510_ = vec3<f32>(_e1986, _e1982, _e1984);
                                                                         } else {
-                                                                            phi_2592_ = (_e1976 - vec3<f32>(_e1069, _e1082, _e1095));
+                                                                            phi_2510_ = (_e1980 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e1990 = phi_2592_;
-                                                                        phi_2593_ = _e1990;
+                                                                        let _e1994 = phi_2510_;
+                                                                        phi_2511_ = _e1994;
                                                                     }
-                                                                    let _e1992 = phi_2593_;
-                                                                    let _e1996 = (_e1992.x - (_e1365 * _e1992.z));
-                                                                    let _e2000 = (_e1992.y - (_e1368 * _e1992.z));
-                                                                    let _e2004 = triangles.member[(0u + _e1969)].v1_;
-                                                                    let _e2006 = (_e2004.x - _e1069);
-                                                                    let _e2008 = (_e2004.y - _e1082);
-                                                                    let _e2010 = (_e2004.z - _e1095);
-                                                                    if (_e1354 == 0u) {
-                                                                        phi_2625_ = vec3<f32>(_e2008, _e2010, _e2006);
+                                                                    let _e1996 = phi_2511_;
+                                                                    let _e2000 = (_e1996.x - (_e1369 * _e1996.z));
+                                                                    let _e2004 = (_e1996.y - (_e1372 * _e1996.z));
+                                                                    let _e2008 = triangles.member[(0u + _e1973)].v1_;
+                                                                    let _e2010 = (_e2008.x - _e1072);
+                                                                    let _e2012 = (_e2008.y - _e1085);
+                                                                    let _e2014 = (_e2008.z - _e1098);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2543_ = vec3<f32>(_e2012, _e2014, _e2010);
                                                                     } else {
-                                                                        if (_e1354 == 1u) {
-                                                                            phi_2624_ = vec3<f32>(_e2010, _e2006, _e2008);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2542_ = vec3<f32>(_e2014, _e2010, _e2012);
                                                                         } else {
-                                                                            phi_2624_ = (_e2004 - vec3<f32>(_e1069, _e1082, _e1095));
+                                                                            phi_2542_ = (_e2008 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e2018 = phi_2624_;
-                                                                        phi_2625_ = _e2018;
+                                                                        let _e2022 = phi_2542_;
+                                                                        phi_2543_ = _e2022;
                                                                     }
-                                                                    let _e2020 = phi_2625_;
-                                                                    let _e2024 = (_e2020.x - (_e1365 * _e2020.z));
-                                                                    let _e2028 = (_e2020.y - (_e1368 * _e2020.z));
-                                                                    let _e2032 = triangles.member[(0u + _e1969)].v2_;
-                                                                    let _e2034 = (_e2032.x - _e1069);
-                                                                    let _e2036 = (_e2032.y - _e1082);
-                                                                    let _e2038 = (_e2032.z - _e1095);
-                                                                    if (_e1354 == 0u) {
-                                                                        phi_2657_ = vec3<f32>(_e2036, _e2038, _e2034);
+                                                                    let _e2024 = phi_2543_;
+                                                                    let _e2028 = (_e2024.x - (_e1369 * _e2024.z));
+                                                                    let _e2032 = (_e2024.y - (_e1372 * _e2024.z));
+                                                                    let _e2036 = triangles.member[(0u + _e1973)].v2_;
+                                                                    let _e2038 = (_e2036.x - _e1072);
+                                                                    let _e2040 = (_e2036.y - _e1085);
+                                                                    let _e2042 = (_e2036.z - _e1098);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2575_ = vec3<f32>(_e2040, _e2042, _e2038);
                                                                     } else {
-                                                                        if (_e1354 == 1u) {
-                                                                            phi_2656_ = vec3<f32>(_e2038, _e2034, _e2036);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2574_ = vec3<f32>(_e2042, _e2038, _e2040);
                                                                         } else {
-                                                                            phi_2656_ = (_e2032 - vec3<f32>(_e1069, _e1082, _e1095));
+                                                                            phi_2574_ = (_e2036 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e2046 = phi_2656_;
-                                                                        phi_2657_ = _e2046;
+                                                                        let _e2050 = phi_2574_;
+                                                                        phi_2575_ = _e2050;
                                                                     }
-                                                                    let _e2048 = phi_2657_;
-                                                                    let _e2052 = (_e2048.x - (_e1365 * _e2048.z));
-                                                                    let _e2056 = (_e2048.y - (_e1368 * _e2048.z));
-                                                                    if (_e2024 < _e2052) {
-                                                                        phi_2678_ = true;
+                                                                    let _e2052 = phi_2575_;
+                                                                    let _e2056 = (_e2052.x - (_e1369 * _e2052.z));
+                                                                    let _e2060 = (_e2052.y - (_e1372 * _e2052.z));
+                                                                    if (_e2028 < _e2056) {
+                                                                        phi_2596_ = true;
                                                                     } else {
-                                                                        if (_e2024 == _e2052) {
-                                                                            phi_2677_ = (_e2028 < _e2056);
+                                                                        if (_e2028 == _e2056) {
+                                                                            phi_2595_ = (_e2032 < _e2060);
                                                                         } else {
-                                                                            phi_2677_ = false;
+                                                                            phi_2595_ = false;
                                                                         }
-                                                                        let _e2063 = phi_2677_;
-                                                                        phi_2678_ = _e2063;
+                                                                        let _e2067 = phi_2595_;
+                                                                        phi_2596_ = _e2067;
                                                                     }
-                                                                    let _e2065 = phi_2678_;
-                                                                    if _e2065 {
-                                                                        phi_2682_ = _e2056;
-                                                                        phi_2683_ = _e2052;
-                                                                        phi_2684_ = _e2028;
-                                                                        phi_2685_ = _e2024;
+                                                                    let _e2069 = phi_2596_;
+                                                                    if _e2069 {
+                                                                        phi_2600_ = _e2060;
+                                                                        phi_2601_ = _e2056;
+                                                                        phi_2602_ = _e2032;
+                                                                        phi_2603_ = _e2028;
                                                                     } else {
-                                                                        phi_2682_ = _e2028;
-                                                                        phi_2683_ = _e2024;
-                                                                        phi_2684_ = _e2056;
-                                                                        phi_2685_ = _e2052;
+                                                                        phi_2600_ = _e2032;
+                                                                        phi_2601_ = _e2028;
+                                                                        phi_2602_ = _e2060;
+                                                                        phi_2603_ = _e2056;
                                                                     }
-                                                                    let _e2067 = phi_2682_;
-                                                                    let _e2069 = phi_2683_;
-                                                                    let _e2071 = phi_2684_;
-                                                                    let _e2073 = phi_2685_;
-                                                                    let _e2076 = ((_e2073 * _e2067) - (_e2071 * _e2069));
-                                                                    if _e2065 {
-                                                                        phi_2693_ = -(_e2076);
+                                                                    let _e2071 = phi_2600_;
+                                                                    let _e2073 = phi_2601_;
+                                                                    let _e2075 = phi_2602_;
+                                                                    let _e2077 = phi_2603_;
+                                                                    let _e2080 = ((_e2077 * _e2071) - (_e2075 * _e2073));
+                                                                    if _e2069 {
+                                                                        phi_2611_ = -(_e2080);
                                                                     } else {
-                                                                        phi_2693_ = _e2076;
+                                                                        phi_2611_ = _e2080;
                                                                     }
-                                                                    let _e2079 = phi_2693_;
-                                                                    if (_e2052 < _e1996) {
-                                                                        phi_2704_ = true;
+                                                                    let _e2083 = phi_2611_;
+                                                                    if (_e2056 < _e2000) {
+                                                                        phi_2622_ = true;
                                                                     } else {
-                                                                        if (_e2052 == _e1996) {
-                                                                            phi_2703_ = (_e2056 < _e2000);
+                                                                        if (_e2056 == _e2000) {
+                                                                            phi_2621_ = (_e2060 < _e2004);
                                                                         } else {
-                                                                            phi_2703_ = false;
+                                                                            phi_2621_ = false;
                                                                         }
-                                                                        let _e2084 = phi_2703_;
-                                                                        phi_2704_ = _e2084;
+                                                                        let _e2088 = phi_2621_;
+                                                                        phi_2622_ = _e2088;
                                                                     }
-                                                                    let _e2086 = phi_2704_;
-                                                                    if _e2086 {
-                                                                        phi_2708_ = _e2000;
-                                                                        phi_2709_ = _e1996;
-                                                                        phi_2710_ = _e2056;
-                                                                        phi_2711_ = _e2052;
+                                                                    let _e2090 = phi_2622_;
+                                                                    if _e2090 {
+                                                                        phi_2626_ = _e2004;
+                                                                        phi_2627_ = _e2000;
+                                                                        phi_2628_ = _e2060;
+                                                                        phi_2629_ = _e2056;
                                                                     } else {
-                                                                        phi_2708_ = _e2056;
-                                                                        phi_2709_ = _e2052;
-                                                                        phi_2710_ = _e2000;
-                                                                        phi_2711_ = _e1996;
+                                                                        phi_2626_ = _e2060;
+                                                                        phi_2627_ = _e2056;
+                                                                        phi_2628_ = _e2004;
+                                                                        phi_2629_ = _e2000;
                                                                     }
-                                                                    let _e2088 = phi_2708_;
-                                                                    let _e2090 = phi_2709_;
-                                                                    let _e2092 = phi_2710_;
-                                                                    let _e2094 = phi_2711_;
-                                                                    let _e2097 = ((_e2094 * _e2088) - (_e2092 * _e2090));
-                                                                    if _e2086 {
-                                                                        phi_2719_ = -(_e2097);
+                                                                    let _e2092 = phi_2626_;
+                                                                    let _e2094 = phi_2627_;
+                                                                    let _e2096 = phi_2628_;
+                                                                    let _e2098 = phi_2629_;
+                                                                    let _e2101 = ((_e2098 * _e2092) - (_e2096 * _e2094));
+                                                                    if _e2090 {
+                                                                        phi_2637_ = -(_e2101);
                                                                     } else {
-                                                                        phi_2719_ = _e2097;
+                                                                        phi_2637_ = _e2101;
                                                                     }
-                                                                    let _e2100 = phi_2719_;
-                                                                    if (_e1996 < _e2024) {
-                                                                        phi_2730_ = true;
+                                                                    let _e2104 = phi_2637_;
+                                                                    if (_e2000 < _e2028) {
+                                                                        phi_2648_ = true;
                                                                     } else {
-                                                                        if (_e1996 == _e2024) {
-                                                                            phi_2729_ = (_e2000 < _e2028);
+                                                                        if (_e2000 == _e2028) {
+                                                                            phi_2647_ = (_e2004 < _e2032);
                                                                         } else {
-                                                                            phi_2729_ = false;
+                                                                            phi_2647_ = false;
                                                                         }
-                                                                        let _e2105 = phi_2729_;
-                                                                        phi_2730_ = _e2105;
+                                                                        let _e2109 = phi_2647_;
+                                                                        phi_2648_ = _e2109;
                                                                     }
-                                                                    let _e2107 = phi_2730_;
-                                                                    if _e2107 {
-                                                                        phi_2734_ = _e2028;
-                                                                        phi_2735_ = _e2024;
-                                                                        phi_2736_ = _e2000;
-                                                                        phi_2737_ = _e1996;
+                                                                    let _e2111 = phi_2648_;
+                                                                    if _e2111 {
+                                                                        phi_2652_ = _e2032;
+                                                                        phi_2653_ = _e2028;
+                                                                        phi_2654_ = _e2004;
+                                                                        phi_2655_ = _e2000;
                                                                     } else {
-                                                                        phi_2734_ = _e2000;
-                                                                        phi_2735_ = _e1996;
-                                                                        phi_2736_ = _e2028;
-                                                                        phi_2737_ = _e2024;
+                                                                        phi_2652_ = _e2004;
+                                                                        phi_2653_ = _e2000;
+                                                                        phi_2654_ = _e2032;
+                                                                        phi_2655_ = _e2028;
                                                                     }
-                                                                    let _e2109 = phi_2734_;
-                                                                    let _e2111 = phi_2735_;
-                                                                    let _e2113 = phi_2736_;
-                                                                    let _e2115 = phi_2737_;
-                                                                    let _e2118 = ((_e2115 * _e2109) - (_e2113 * _e2111));
-                                                                    if _e2107 {
-                                                                        phi_2745_ = -(_e2118);
+                                                                    let _e2113 = phi_2652_;
+                                                                    let _e2115 = phi_2653_;
+                                                                    let _e2117 = phi_2654_;
+                                                                    let _e2119 = phi_2655_;
+                                                                    let _e2122 = ((_e2119 * _e2113) - (_e2117 * _e2115));
+                                                                    if _e2111 {
+                                                                        phi_2663_ = -(_e2122);
                                                                     } else {
-                                                                        phi_2745_ = _e2118;
+                                                                        phi_2663_ = _e2122;
                                                                     }
-                                                                    let _e2121 = phi_2745_;
-                                                                    if (_e2079 >= 0f) {
-                                                                        if (_e2100 >= 0f) {
-                                                                            if (_e2121 >= 0f) {
-                                                                                phi_2760_ = ((_e2079 + _e2100) + _e2121);
-                                                                                phi_2761_ = false;
+                                                                    let _e2125 = phi_2663_;
+                                                                    if (_e2083 >= 0f) {
+                                                                        if (_e2104 >= 0f) {
+                                                                            if (_e2125 >= 0f) {
+                                                                                phi_2678_ = ((_e2083 + _e2104) + _e2125);
+                                                                                phi_2679_ = false;
                                                                             } else {
-                                                                                phi_2760_ = f32();
-                                                                                phi_2761_ = true;
+                                                                                phi_2678_ = f32();
+                                                                                phi_2679_ = true;
                                                                             }
-                                                                            let _e2128 = phi_2760_;
-                                                                            let _e2130 = phi_2761_;
-                                                                            phi_2762_ = _e2128;
-                                                                            phi_2763_ = _e2130;
+                                                                            let _e2132 = phi_2678_;
+                                                                            let _e2134 = phi_2679_;
+                                                                            phi_2680_ = _e2132;
+                                                                            phi_2681_ = _e2134;
                                                                         } else {
-                                                                            phi_2762_ = f32();
-                                                                            phi_2763_ = true;
+                                                                            phi_2680_ = f32();
+                                                                            phi_2681_ = true;
                                                                         }
-                                                                        let _e2132 = phi_2762_;
-                                                                        let _e2134 = phi_2763_;
-                                                                        phi_2764_ = _e2132;
-                                                                        phi_2765_ = _e2134;
+                                                                        let _e2136 = phi_2680_;
+                                                                        let _e2138 = phi_2681_;
+                                                                        phi_2682_ = _e2136;
+                                                                        phi_2683_ = _e2138;
                                                                     } else {
-                                                                        phi_2764_ = f32();
-                                                                        phi_2765_ = true;
+                                                                        phi_2682_ = f32();
+                                                                        phi_2683_ = true;
                                                                     }
-                                                                    let _e2136 = phi_2764_;
-                                                                    let _e2138 = phi_2765_;
-                                                                    if _e2138 {
-                                                                        if (_e2079 <= 0f) {
-                                                                            if (_e2100 <= 0f) {
-                                                                                let _e2141 = (_e2121 <= 0f);
-                                                                                if _e2141 {
+                                                                    let _e2140 = phi_2682_;
+                                                                    let _e2142 = phi_2683_;
+                                                                    if _e2142 {
+                                                                        if (_e2083 <= 0f) {
+                                                                            if (_e2104 <= 0f) {
+                                                                                let _e2145 = (_e2125 <= 0f);
+                                                                                if _e2145 {
                                                                                 }
-                                                                                phi_2783_ = ((_e2079 + _e2100) + _e2121);
-                                                                                phi_2784_ = false;
-                                                                                phi_2785_ = _e2141;
+                                                                                phi_2701_ = ((_e2083 + _e2104) + _e2125);
+                                                                                phi_2702_ = false;
+                                                                                phi_2703_ = _e2145;
                                                                             } else {
-                                                                                phi_2783_ = f32();
-                                                                                phi_2784_ = true;
-                                                                                phi_2785_ = false;
+                                                                                phi_2701_ = f32();
+                                                                                phi_2702_ = true;
+                                                                                phi_2703_ = false;
                                                                             }
-                                                                            let _e2145 = phi_2783_;
-                                                                            let _e2147 = phi_2784_;
-                                                                            let _e2149 = phi_2785_;
-                                                                            phi_2786_ = _e2145;
-                                                                            phi_2787_ = _e2147;
-                                                                            phi_2788_ = _e2149;
+                                                                            let _e2149 = phi_2701_;
+                                                                            let _e2151 = phi_2702_;
+                                                                            let _e2153 = phi_2703_;
+                                                                            phi_2704_ = _e2149;
+                                                                            phi_2705_ = _e2151;
+                                                                            phi_2706_ = _e2153;
                                                                         } else {
-                                                                            phi_2786_ = f32();
-                                                                            phi_2787_ = true;
-                                                                            phi_2788_ = false;
+                                                                            phi_2704_ = f32();
+                                                                            phi_2705_ = true;
+                                                                            phi_2706_ = false;
                                                                         }
-                                                                        let _e2151 = phi_2786_;
-                                                                        let _e2153 = phi_2787_;
-                                                                        let _e2155 = phi_2788_;
-                                                                        if _e2153 {
-                                                                            phi_2792_ = false;
+                                                                        let _e2155 = phi_2704_;
+                                                                        let _e2157 = phi_2705_;
+                                                                        let _e2159 = phi_2706_;
+                                                                        if _e2157 {
+                                                                            phi_2710_ = false;
                                                                         } else {
-                                                                            phi_2792_ = _e2155;
+                                                                            phi_2710_ = _e2159;
                                                                         }
-                                                                        let _e2157 = phi_2792_;
-                                                                        phi_2793_ = _e2151;
-                                                                        phi_2794_ = _e2157;
+                                                                        let _e2161 = phi_2710_;
+                                                                        phi_2711_ = _e2155;
+                                                                        phi_2712_ = _e2161;
                                                                     } else {
-                                                                        phi_2793_ = _e2136;
-                                                                        phi_2794_ = true;
+                                                                        phi_2711_ = _e2140;
+                                                                        phi_2712_ = true;
                                                                     }
-                                                                    let _e2159 = phi_2793_;
-                                                                    let _e2161 = phi_2794_;
-                                                                    if _e2161 {
-                                                                        let _e2162 = (_e2159 == 0f);
-                                                                        if _e2162 {
-                                                                            phi_2992_ = lt_bvh_triangle_Intersection();
+                                                                    let _e2163 = phi_2711_;
+                                                                    let _e2165 = phi_2712_;
+                                                                    if _e2165 {
+                                                                        let _e2166 = (_e2163 == 0f);
+                                                                        if _e2166 {
+                                                                            phi_2925_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2926_ = false;
                                                                         } else {
-                                                                            let _e2168 = ((((_e2079 * (_e1370 * _e1992.z)) + (_e2100 * (_e1370 * _e2020.z))) + (_e2121 * (_e1370 * _e2048.z))) / _e2159);
-                                                                            let _e2170 = triangles.member[(0u + _e1969)].v0_;
-                                                                            let _e2172 = triangles.member[(0u + _e1969)].v1_;
-                                                                            if (_e2170.x < _e2172.x) {
-                                                                                phi_2820_ = _e2170.x;
+                                                                            let _e2172 = ((((_e2083 * (_e1374 * _e1996.z)) + (_e2104 * (_e1374 * _e2024.z))) + (_e2125 * (_e1374 * _e2052.z))) / _e2163);
+                                                                            if (_e2172 > _e162.tmin) {
+                                                                                if (_e2172 < _e162.tmax) {
+                                                                                    let _e2176 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2178 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2176.x < _e2178.x) {
+                                                                                        phi_2746_ = _e2176.x;
+                                                                                    } else {
+                                                                                        phi_2746_ = _e2178.x;
+                                                                                    }
+                                                                                    let _e2185 = phi_2746_;
+                                                                                    if (_e2176.y < _e2178.y) {
+                                                                                        phi_2755_ = _e2176.y;
+                                                                                    } else {
+                                                                                        phi_2755_ = _e2178.y;
+                                                                                    }
+                                                                                    let _e2192 = phi_2755_;
+                                                                                    if (_e2176.z < _e2178.z) {
+                                                                                        phi_2764_ = _e2176.z;
+                                                                                    } else {
+                                                                                        phi_2764_ = _e2178.z;
+                                                                                    }
+                                                                                    let _e2199 = phi_2764_;
+                                                                                    let _e2201 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2185 < _e2201.x) {
+                                                                                        phi_2773_ = _e2185;
+                                                                                    } else {
+                                                                                        phi_2773_ = _e2201.x;
+                                                                                    }
+                                                                                    let _e2206 = phi_2773_;
+                                                                                    if (_e2192 < _e2201.y) {
+                                                                                        phi_2780_ = _e2192;
+                                                                                    } else {
+                                                                                        phi_2780_ = _e2201.y;
+                                                                                    }
+                                                                                    let _e2211 = phi_2780_;
+                                                                                    if (_e2199 < _e2201.z) {
+                                                                                        phi_2787_ = _e2199;
+                                                                                    } else {
+                                                                                        phi_2787_ = _e2201.z;
+                                                                                    }
+                                                                                    let _e2216 = phi_2787_;
+                                                                                    let _e2218 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2220 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2218.x > _e2220.x) {
+                                                                                        phi_2800_ = _e2218.x;
+                                                                                    } else {
+                                                                                        phi_2800_ = _e2220.x;
+                                                                                    }
+                                                                                    let _e2227 = phi_2800_;
+                                                                                    if (_e2218.y > _e2220.y) {
+                                                                                        phi_2809_ = _e2218.y;
+                                                                                    } else {
+                                                                                        phi_2809_ = _e2220.y;
+                                                                                    }
+                                                                                    let _e2234 = phi_2809_;
+                                                                                    if (_e2218.z > _e2220.z) {
+                                                                                        phi_2818_ = _e2218.z;
+                                                                                    } else {
+                                                                                        phi_2818_ = _e2220.z;
+                                                                                    }
+                                                                                    let _e2241 = phi_2818_;
+                                                                                    let _e2243 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2227 > _e2243.x) {
+                                                                                        phi_2827_ = _e2227;
+                                                                                    } else {
+                                                                                        phi_2827_ = _e2243.x;
+                                                                                    }
+                                                                                    let _e2248 = phi_2827_;
+                                                                                    if (_e2234 > _e2243.y) {
+                                                                                        phi_2834_ = _e2234;
+                                                                                    } else {
+                                                                                        phi_2834_ = _e2243.y;
+                                                                                    }
+                                                                                    let _e2253 = phi_2834_;
+                                                                                    if (_e2241 > _e2243.z) {
+                                                                                        phi_2841_ = _e2241;
+                                                                                    } else {
+                                                                                        phi_2841_ = _e2243.z;
+                                                                                    }
+                                                                                    let _e2258 = phi_2841_;
+                                                                                    let _e2262 = ((_e2206 - _e1072) * _e1287);
+                                                                                    let _e2263 = ((_e2211 - _e1085) * _e1297);
+                                                                                    let _e2264 = ((_e2216 - _e1098) * _e1307);
+                                                                                    let _e2268 = ((_e2248 - _e1072) * _e1287);
+                                                                                    let _e2269 = ((_e2253 - _e1085) * _e1297);
+                                                                                    let _e2270 = ((_e2258 - _e1098) * _e1307);
+                                                                                    if (_e2262 < _e2268) {
+                                                                                        phi_2858_ = _e2262;
+                                                                                    } else {
+                                                                                        phi_2858_ = _e2268;
+                                                                                    }
+                                                                                    let _e2273 = phi_2858_;
+                                                                                    if (_e2263 < _e2269) {
+                                                                                        phi_2863_ = _e2263;
+                                                                                    } else {
+                                                                                        phi_2863_ = _e2269;
+                                                                                    }
+                                                                                    let _e2276 = phi_2863_;
+                                                                                    if (_e2264 < _e2270) {
+                                                                                        phi_2868_ = _e2264;
+                                                                                    } else {
+                                                                                        phi_2868_ = _e2270;
+                                                                                    }
+                                                                                    let _e2279 = phi_2868_;
+                                                                                    if (_e2262 > _e2268) {
+                                                                                        phi_2876_ = _e2262;
+                                                                                    } else {
+                                                                                        phi_2876_ = _e2268;
+                                                                                    }
+                                                                                    let _e2285 = phi_2876_;
+                                                                                    if (_e2263 > _e2269) {
+                                                                                        phi_2881_ = _e2263;
+                                                                                    } else {
+                                                                                        phi_2881_ = _e2269;
+                                                                                    }
+                                                                                    let _e2288 = phi_2881_;
+                                                                                    if (_e2264 > _e2270) {
+                                                                                        phi_2886_ = _e2264;
+                                                                                    } else {
+                                                                                        phi_2886_ = _e2270;
+                                                                                    }
+                                                                                    let _e2291 = phi_2886_;
+                                                                                    let _e2295 = core_intrinsics_maximum_number_nsz_f32_((_e2273 - _e1342), (_e2276 - _e1343));
+                                                                                    let _e2296 = core_intrinsics_maximum_number_nsz_f32_(_e2295, (_e2279 - _e1344));
+                                                                                    let _e2297 = core_intrinsics_minimum_number_nsz_f32_((_e2285 + _e1342), (_e2288 + _e1343));
+                                                                                    let _e2298 = core_intrinsics_minimum_number_nsz_f32_(_e2297, (_e2291 + _e1344));
+                                                                                    if (_e2296 > _e1047) {
+                                                                                        phi_2898_ = _e2296;
+                                                                                    } else {
+                                                                                        phi_2898_ = _e1047;
+                                                                                    }
+                                                                                    let _e2301 = phi_2898_;
+                                                                                    if (_e2298 < _e1049) {
+                                                                                        phi_2903_ = _e2298;
+                                                                                    } else {
+                                                                                        phi_2903_ = _e1049;
+                                                                                    }
+                                                                                    let _e2304 = phi_2903_;
+                                                                                    if (_e2172 < _e2301) {
+                                                                                        phi_2908_ = _e2301;
+                                                                                    } else {
+                                                                                        phi_2908_ = _e2172;
+                                                                                    }
+                                                                                    let _e2307 = phi_2908_;
+                                                                                    if (_e2307 > _e2304) {
+                                                                                        phi_2913_ = _e2304;
+                                                                                    } else {
+                                                                                        phi_2913_ = _e2307;
+                                                                                    }
+                                                                                    let _e2310 = phi_2913_;
+                                                                                    phi_2918_ = lt_bvh_triangle_Intersection(_e2310, (_e2104 / _e2163), (_e2125 / _e2163), (_e2301 <= _e2304));
+                                                                                    phi_2919_ = false;
+                                                                                } else {
+                                                                                    phi_2918_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2919_ = true;
+                                                                                }
+                                                                                let _e2316 = phi_2918_;
+                                                                                let _e2318 = phi_2919_;
+                                                                                phi_2920_ = _e2316;
+                                                                                phi_2921_ = _e2318;
                                                                             } else {
-                                                                                phi_2820_ = _e2172.x;
+                                                                                phi_2920_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2921_ = true;
                                                                             }
-                                                                            let _e2179 = phi_2820_;
-                                                                            if (_e2170.y < _e2172.y) {
-                                                                                phi_2829_ = _e2170.y;
-                                                                            } else {
-                                                                                phi_2829_ = _e2172.y;
+                                                                            let _e2320 = phi_2920_;
+                                                                            let _e2322 = phi_2921_;
+                                                                            if _e2322 {
                                                                             }
-                                                                            let _e2186 = phi_2829_;
-                                                                            if (_e2170.z < _e2172.z) {
-                                                                                phi_2838_ = _e2170.z;
-                                                                            } else {
-                                                                                phi_2838_ = _e2172.z;
-                                                                            }
-                                                                            let _e2193 = phi_2838_;
-                                                                            let _e2195 = triangles.member[(0u + _e1969)].v2_;
-                                                                            if (_e2179 < _e2195.x) {
-                                                                                phi_2847_ = _e2179;
-                                                                            } else {
-                                                                                phi_2847_ = _e2195.x;
-                                                                            }
-                                                                            let _e2200 = phi_2847_;
-                                                                            if (_e2186 < _e2195.y) {
-                                                                                phi_2854_ = _e2186;
-                                                                            } else {
-                                                                                phi_2854_ = _e2195.y;
-                                                                            }
-                                                                            let _e2205 = phi_2854_;
-                                                                            if (_e2193 < _e2195.z) {
-                                                                                phi_2861_ = _e2193;
-                                                                            } else {
-                                                                                phi_2861_ = _e2195.z;
-                                                                            }
-                                                                            let _e2210 = phi_2861_;
-                                                                            let _e2212 = triangles.member[(0u + _e1969)].v0_;
-                                                                            let _e2214 = triangles.member[(0u + _e1969)].v1_;
-                                                                            if (_e2212.x > _e2214.x) {
-                                                                                phi_2874_ = _e2212.x;
-                                                                            } else {
-                                                                                phi_2874_ = _e2214.x;
-                                                                            }
-                                                                            let _e2221 = phi_2874_;
-                                                                            if (_e2212.y > _e2214.y) {
-                                                                                phi_2883_ = _e2212.y;
-                                                                            } else {
-                                                                                phi_2883_ = _e2214.y;
-                                                                            }
-                                                                            let _e2228 = phi_2883_;
-                                                                            if (_e2212.z > _e2214.z) {
-                                                                                phi_2892_ = _e2212.z;
-                                                                            } else {
-                                                                                phi_2892_ = _e2214.z;
-                                                                            }
-                                                                            let _e2235 = phi_2892_;
-                                                                            let _e2237 = triangles.member[(0u + _e1969)].v2_;
-                                                                            if (_e2221 > _e2237.x) {
-                                                                                phi_2901_ = _e2221;
-                                                                            } else {
-                                                                                phi_2901_ = _e2237.x;
-                                                                            }
-                                                                            let _e2242 = phi_2901_;
-                                                                            if (_e2228 > _e2237.y) {
-                                                                                phi_2908_ = _e2228;
-                                                                            } else {
-                                                                                phi_2908_ = _e2237.y;
-                                                                            }
-                                                                            let _e2247 = phi_2908_;
-                                                                            if (_e2235 > _e2237.z) {
-                                                                                phi_2915_ = _e2235;
-                                                                            } else {
-                                                                                phi_2915_ = _e2237.z;
-                                                                            }
-                                                                            let _e2252 = phi_2915_;
-                                                                            let _e2256 = ((_e2200 - _e1069) * _e1283);
-                                                                            let _e2257 = ((_e2205 - _e1082) * _e1293);
-                                                                            let _e2258 = ((_e2210 - _e1095) * _e1303);
-                                                                            let _e2262 = ((_e2242 - _e1069) * _e1283);
-                                                                            let _e2263 = ((_e2247 - _e1082) * _e1293);
-                                                                            let _e2264 = ((_e2252 - _e1095) * _e1303);
-                                                                            if (_e2256 < _e2262) {
-                                                                                phi_2932_ = _e2256;
-                                                                            } else {
-                                                                                phi_2932_ = _e2262;
-                                                                            }
-                                                                            let _e2267 = phi_2932_;
-                                                                            if (_e2257 < _e2263) {
-                                                                                phi_2937_ = _e2257;
-                                                                            } else {
-                                                                                phi_2937_ = _e2263;
-                                                                            }
-                                                                            let _e2270 = phi_2937_;
-                                                                            if (_e2258 < _e2264) {
-                                                                                phi_2942_ = _e2258;
-                                                                            } else {
-                                                                                phi_2942_ = _e2264;
-                                                                            }
-                                                                            let _e2273 = phi_2942_;
-                                                                            if (_e2256 > _e2262) {
-                                                                                phi_2950_ = _e2256;
-                                                                            } else {
-                                                                                phi_2950_ = _e2262;
-                                                                            }
-                                                                            let _e2279 = phi_2950_;
-                                                                            if (_e2257 > _e2263) {
-                                                                                phi_2955_ = _e2257;
-                                                                            } else {
-                                                                                phi_2955_ = _e2263;
-                                                                            }
-                                                                            let _e2282 = phi_2955_;
-                                                                            if (_e2258 > _e2264) {
-                                                                                phi_2960_ = _e2258;
-                                                                            } else {
-                                                                                phi_2960_ = _e2264;
-                                                                            }
-                                                                            let _e2285 = phi_2960_;
-                                                                            let _e2289 = core_intrinsics_maximum_number_nsz_f32_((_e2267 - _e1338), (_e2270 - _e1339));
-                                                                            let _e2290 = core_intrinsics_maximum_number_nsz_f32_(_e2289, (_e2273 - _e1340));
-                                                                            let _e2291 = core_intrinsics_minimum_number_nsz_f32_((_e2279 + _e1338), (_e2282 + _e1339));
-                                                                            let _e2292 = core_intrinsics_minimum_number_nsz_f32_(_e2291, (_e2285 + _e1340));
-                                                                            if (_e2290 > _e1044) {
-                                                                                phi_2972_ = _e2290;
-                                                                            } else {
-                                                                                phi_2972_ = _e1044;
-                                                                            }
-                                                                            let _e2295 = phi_2972_;
-                                                                            if (_e2292 < _e1046) {
-                                                                                phi_2977_ = _e2292;
-                                                                            } else {
-                                                                                phi_2977_ = _e1046;
-                                                                            }
-                                                                            let _e2298 = phi_2977_;
-                                                                            if (_e2168 < _e2295) {
-                                                                                phi_2982_ = _e2295;
-                                                                            } else {
-                                                                                phi_2982_ = _e2168;
-                                                                            }
-                                                                            let _e2301 = phi_2982_;
-                                                                            if (_e2301 > _e2298) {
-                                                                                phi_2987_ = _e2298;
-                                                                            } else {
-                                                                                phi_2987_ = _e2301;
-                                                                            }
-                                                                            let _e2304 = phi_2987_;
-                                                                            phi_2992_ = lt_bvh_triangle_Intersection(_e2304, (_e2100 / _e2159), (_e2121 / _e2159), (_e2295 <= _e2298));
+                                                                            phi_2925_ = _e2320;
+                                                                            phi_2926_ = _e2322;
                                                                         }
-                                                                        let _e2310 = phi_2992_;
-                                                                        phi_2993_ = _e2310;
-                                                                        phi_2994_ = _e2162;
+                                                                        let _e2324 = phi_2925_;
+                                                                        let _e2326 = phi_2926_;
+                                                                        phi_2927_ = _e2324;
+                                                                        phi_2928_ = _e2166;
+                                                                        phi_2929_ = _e2326;
                                                                     } else {
-                                                                        phi_2993_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2994_ = true;
+                                                                        phi_2927_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2928_ = true;
+                                                                        phi_2929_ = false;
                                                                     }
-                                                                    let _e2312 = phi_2993_;
-                                                                    let _e2314 = phi_2994_;
-                                                                    if _e2314 {
-                                                                        phi_2998_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2328 = phi_2927_;
+                                                                    let _e2330 = phi_2928_;
+                                                                    let _e2332 = phi_2929_;
+                                                                    if _e2330 {
+                                                                        phi_2933_ = true;
                                                                     } else {
-                                                                        phi_2998_ = _e2312;
+                                                                        phi_2933_ = _e2332;
                                                                     }
-                                                                    let _e2316 = phi_2998_;
-                                                                    if _e2316.is_hit {
-                                                                        if (_e2316.t > _e159.tmin) {
-                                                                            if (_e2316.t < _e1958.t) {
-                                                                                phi_3046_ = true;
+                                                                    let _e2334 = phi_2933_;
+                                                                    if _e2334 {
+                                                                        phi_2937_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2937_ = _e2328;
+                                                                    }
+                                                                    let _e2336 = phi_2937_;
+                                                                    if _e2336.is_hit {
+                                                                        if (_e2336.t > _e162.tmin) {
+                                                                            if (_e2336.t < _e1962.t) {
+                                                                                phi_2985_ = true;
                                                                             } else {
-                                                                                if (_e2316.t == _e1958.t) {
-                                                                                    if (_e1958.triangle != 4294967295u) {
-                                                                                        if (_e1969 < _e1958.triangle) {
-                                                                                            phi_3037_ = true;
+                                                                                if (_e2336.t == _e1962.t) {
+                                                                                    if (_e1962.triangle != 4294967295u) {
+                                                                                        if (_e1973 < _e1962.triangle) {
+                                                                                            phi_2976_ = true;
                                                                                         } else {
-                                                                                            if (_e1969 == _e1958.triangle) {
-                                                                                                phi_3036_ = (_e985 < _e1958.instance);
+                                                                                            if (_e1973 == _e1962.triangle) {
+                                                                                                phi_2975_ = (_e988 < _e1962.instance);
                                                                                             } else {
-                                                                                                phi_3036_ = false;
+                                                                                                phi_2975_ = false;
                                                                                             }
-                                                                                            let _e2334 = phi_3036_;
-                                                                                            phi_3037_ = _e2334;
+                                                                                            let _e2354 = phi_2975_;
+                                                                                            phi_2976_ = _e2354;
                                                                                         }
-                                                                                        let _e2336 = phi_3037_;
-                                                                                        phi_3038_ = _e2336;
-                                                                                        phi_3039_ = false;
+                                                                                        let _e2356 = phi_2976_;
+                                                                                        phi_2977_ = _e2356;
+                                                                                        phi_2978_ = false;
                                                                                     } else {
-                                                                                        phi_3038_ = bool();
-                                                                                        phi_3039_ = true;
+                                                                                        phi_2977_ = bool();
+                                                                                        phi_2978_ = true;
                                                                                     }
-                                                                                    let _e2338 = phi_3038_;
-                                                                                    let _e2340 = phi_3039_;
-                                                                                    phi_3040_ = _e2338;
-                                                                                    phi_3041_ = _e2340;
+                                                                                    let _e2358 = phi_2977_;
+                                                                                    let _e2360 = phi_2978_;
+                                                                                    phi_2979_ = _e2358;
+                                                                                    phi_2980_ = _e2360;
                                                                                 } else {
-                                                                                    phi_3040_ = bool();
-                                                                                    phi_3041_ = true;
+                                                                                    phi_2979_ = bool();
+                                                                                    phi_2980_ = true;
                                                                                 }
-                                                                                let _e2342 = phi_3040_;
-                                                                                let _e2344 = phi_3041_;
-                                                                                if _e2344 {
-                                                                                    phi_3045_ = false;
+                                                                                let _e2362 = phi_2979_;
+                                                                                let _e2364 = phi_2980_;
+                                                                                if _e2364 {
+                                                                                    phi_2984_ = false;
                                                                                 } else {
-                                                                                    phi_3045_ = _e2342;
+                                                                                    phi_2984_ = _e2362;
                                                                                 }
-                                                                                let _e2346 = phi_3045_;
-                                                                                phi_3046_ = _e2346;
+                                                                                let _e2366 = phi_2984_;
+                                                                                phi_2985_ = _e2366;
                                                                             }
-                                                                            let _e2348 = phi_3046_;
-                                                                            if _e2348 {
-                                                                                let _e2350 = triangles.member[(0u + _e1969)].i0_;
-                                                                                if ((_e2350 & 2147483648u) == 0u) {
-                                                                                    phi_3252_ = true;
+                                                                            let _e2368 = phi_2985_;
+                                                                            if _e2368 {
+                                                                                let _e2370 = triangles.member[(0u + _e1973)].i0_;
+                                                                                if ((_e2370 & 2147483648u) == 0u) {
+                                                                                    phi_3200_ = true;
                                                                                 } else {
-                                                                                    if (_e1969 < _e78) {
+                                                                                    if (_e1973 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2359 = triangles.member[(0u + _e1969)].i0_;
-                                                                                    let _e2360 = (_e2359 & 2147483647u);
-                                                                                    let _e2362 = triangles.member[(0u + _e1969)].i1_;
-                                                                                    let _e2364 = triangles.member[(0u + _e1969)].i2_;
-                                                                                    if (_e2360 < _e81) {
+                                                                                    let _e2379 = triangles.member[(0u + _e1973)].i0_;
+                                                                                    let _e2380 = (_e2379 & 2147483647u);
+                                                                                    let _e2382 = triangles.member[(0u + _e1973)].i1_;
+                                                                                    let _e2384 = triangles.member[(0u + _e1973)].i2_;
+                                                                                    if (_e2380 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2368 = vertices.member[(0u + _e2360)];
-                                                                                    if (_e2362 < _e81) {
+                                                                                    let _e2388 = vertices.member[(0u + _e2380)];
+                                                                                    if (_e2382 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2372 = vertices.member[(0u + _e2362)];
-                                                                                    if (_e2364 < _e81) {
+                                                                                    let _e2392 = vertices.member[(0u + _e2382)];
+                                                                                    if (_e2384 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2376 = vertices.member[(0u + _e2364)];
-                                                                                    let _e2377 = array<abi_Vertex, 3>(_e2368, _e2372, _e2376);
-                                                                                    local_4 = array<abi_Vertex, 3>(abi_Vertex(_e2377[0].u, _e2377[0].v, _e2377[0].normal, _e2377[0].color, _e2377[0].material), abi_Vertex(_e2377[1].u, _e2377[1].v, _e2377[1].normal, _e2377[1].color, _e2377[1].material), abi_Vertex(_e2377[2].u, _e2377[2].v, _e2377[2].normal, _e2377[2].color, _e2377[2].material));
-                                                                                    let _e2402 = local_4[0u].material;
-                                                                                    if (_e2402 < _e84) {
+                                                                                    let _e2396 = vertices.member[(0u + _e2384)];
+                                                                                    let _e2397 = array<abi_Vertex, 3>(_e2388, _e2392, _e2396);
+                                                                                    if (_e2397[0].material < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2406 = materials.member[(0u + _e2402)];
-                                                                                    if ((_e2406.flags & 0u) == 0u) {
-                                                                                        let _e2410 = lt_shaders_surface_barycentric_weights(_e2316.u, _e2316.v);
-                                                                                        if (_e2406.cutoff <= 0f) {
-                                                                                            phi_3247_ = true;
+                                                                                    let _e2403 = materials.member[(0u + _e2397[0].material)];
+                                                                                    if ((_e2403.flags & 0u) == 0u) {
+                                                                                        let _e2408 = ((1f - _e2336.u) - _e2336.v);
+                                                                                        if (_e2403.cutoff <= 0f) {
+                                                                                            phi_3195_ = true;
                                                                                         } else {
-                                                                                            let _e2415 = lt_shaders_surface_vertex_color((&local_4), _e2410);
-                                                                                            let _e2417 = (_e2406.base_color.w * _e2415.w);
-                                                                                            if (_e2406.alpha_size == 0u) {
-                                                                                                phi_3244_ = _e2417;
+                                                                                            let _e2439 = (_e2403.base_color.w * ((((f32((_e2397[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2408) + ((f32((_e2397[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2336.u)) + ((f32((_e2397[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2336.v)));
+                                                                                            if (_e2403.alpha_size == 0u) {
+                                                                                                phi_3192_ = _e2439;
                                                                                             } else {
-                                                                                                local_3.offset = _e2406.alpha_offset;
-                                                                                                local_3.size = _e2406.alpha_size;
-                                                                                                local_3.flags = _e2406.flags;
-                                                                                                let _e2426 = lt_shaders_surface_texture_coordinate((&local_4), _e2410);
-                                                                                                let _e2429 = _lt_shaders_texture_TextureView_quad((&local_3), _e2426.x, _e2426.y);
-                                                                                                let _e2433 = (_e2429.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2433 < _e93) {
-                                                                                                } else {
-                                                                                                    return;
-                                                                                                }
-                                                                                                let _e2437 = alpha_texels.member[(0u + _e2433)];
-                                                                                                let _e2453 = (_e2429.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2453 < _e93) {
-                                                                                                } else {
-                                                                                                    return;
-                                                                                                }
-                                                                                                let _e2457 = alpha_texels.member[(0u + _e2453)];
-                                                                                                let _e2474 = (_e2429.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2474 < _e93) {
+                                                                                                local_1.offset = _e2403.alpha_offset;
+                                                                                                local_1.size = _e2403.alpha_size;
+                                                                                                local_1.flags = _e2403.flags;
+                                                                                                let _e2470 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2397[0].u * _e2408) + (_e2397[1].u * _e2336.u)) + (_e2397[2].u * _e2336.v)), (((_e2397[0].v * _e2408) + (_e2397[1].v * _e2336.u)) + (_e2397[2].v * _e2336.v)));
+                                                                                                let _e2474 = (_e2470.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2474 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
                                                                                                 let _e2478 = alpha_texels.member[(0u + _e2474)];
-                                                                                                let _e2495 = (_e2429.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2495 < _e93) {
+                                                                                                let _e2494 = (_e2470.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2494 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2499 = alpha_texels.member[(0u + _e2495)];
-                                                                                                phi_3244_ = (_e2417 * (((((f32(((_e2437 >> bitcast<u32>((((_e2429.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2429.weights.x) + ((f32(((_e2457 >> bitcast<u32>((((_e2429.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2429.weights.y)) + ((f32(((_e2478 >> bitcast<u32>((((_e2429.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2429.weights.z)) + ((f32(((_e2499 >> bitcast<u32>((((_e2429.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2429.weights.w)));
+                                                                                                let _e2498 = alpha_texels.member[(0u + _e2494)];
+                                                                                                let _e2515 = (_e2470.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2515 < _e96) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2519 = alpha_texels.member[(0u + _e2515)];
+                                                                                                let _e2536 = (_e2470.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2536 < _e96) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2540 = alpha_texels.member[(0u + _e2536)];
+                                                                                                phi_3192_ = (_e2439 * (((((f32(((_e2478 >> bitcast<u32>((((_e2470.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2470.weights.x) + ((f32(((_e2498 >> bitcast<u32>((((_e2470.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2470.weights.y)) + ((f32(((_e2519 >> bitcast<u32>((((_e2470.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2470.weights.z)) + ((f32(((_e2540 >> bitcast<u32>((((_e2470.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2470.weights.w)));
                                                                                             }
-                                                                                            let _e2515 = phi_3244_;
-                                                                                            phi_3247_ = (_e2515 >= _e2406.cutoff);
+                                                                                            let _e2556 = phi_3192_;
+                                                                                            phi_3195_ = (_e2556 >= _e2403.cutoff);
                                                                                         }
-                                                                                        let _e2519 = phi_3247_;
-                                                                                        phi_3248_ = _e2519;
+                                                                                        let _e2560 = phi_3195_;
+                                                                                        phi_3196_ = _e2560;
                                                                                     } else {
-                                                                                        phi_3248_ = false;
+                                                                                        phi_3196_ = false;
                                                                                     }
-                                                                                    let _e2521 = phi_3248_;
-                                                                                    if _e2521 {
+                                                                                    let _e2562 = phi_3196_;
+                                                                                    if _e2562 {
                                                                                     }
-                                                                                    phi_3252_ = _e2521;
+                                                                                    phi_3200_ = _e2562;
                                                                                 }
-                                                                                let _e2523 = phi_3252_;
-                                                                                if _e2523 {
-                                                                                    phi_3260_ = lt_bvh_Hit(_e2316.t, _e2316.u, _e2316.v, _e1969, _e985);
+                                                                                let _e2564 = phi_3200_;
+                                                                                if _e2564 {
+                                                                                    phi_3208_ = lt_bvh_Hit(_e2336.t, _e2336.u, _e2336.v, _e1973, _e988);
                                                                                 } else {
-                                                                                    phi_3260_ = _e1958;
+                                                                                    phi_3208_ = _e1962;
                                                                                 }
-                                                                                let _e2529 = phi_3260_;
-                                                                                phi_3261_ = _e2529;
+                                                                                let _e2570 = phi_3208_;
+                                                                                phi_3209_ = _e2570;
                                                                             } else {
-                                                                                phi_3261_ = _e1958;
+                                                                                phi_3209_ = _e1962;
                                                                             }
-                                                                            let _e2531 = phi_3261_;
-                                                                            phi_3262_ = _e2531;
+                                                                            let _e2572 = phi_3209_;
+                                                                            phi_3210_ = _e2572;
                                                                         } else {
-                                                                            phi_3262_ = _e1958;
+                                                                            phi_3210_ = _e1962;
                                                                         }
-                                                                        let _e2533 = phi_3262_;
-                                                                        phi_3263_ = _e2533;
+                                                                        let _e2574 = phi_3210_;
+                                                                        phi_3211_ = _e2574;
                                                                     } else {
-                                                                        phi_3263_ = _e1958;
+                                                                        phi_3211_ = _e1962;
                                                                     }
-                                                                    let _e2535 = phi_3263_;
-                                                                    phi_2546_ = _e2535;
-                                                                    phi_2549_ = (_e1960 & (_e1960 - 1u));
-                                                                    phi_3264_ = true;
+                                                                    let _e2576 = phi_3211_;
+                                                                    phi_2464_ = _e2576;
+                                                                    phi_2467_ = (_e1964 & (_e1964 - 1u));
+                                                                    phi_3212_ = true;
                                                                 }
-                                                                let _e2537 = phi_2546_;
-                                                                let _e2539 = phi_2549_;
-                                                                let _e2541 = phi_3264_;
+                                                                let _e2578 = phi_2464_;
+                                                                let _e2580 = phi_2467_;
+                                                                let _e2582 = phi_3212_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2545_ = _e2537;
-                                                                    phi_2548_ = _e2539;
-                                                                    break if !(_e2541);
+                                                                    phi_2463_ = _e2578;
+                                                                    phi_2466_ = _e2580;
+                                                                    break if !(_e2582);
                                                                 }
                                                             }
-                                                            let _e2544 = local_5.group_mask;
-                                                            if ((_e2544 & 4278190080u) == 0u) {
-                                                                let _e2548 = local_5.len;
-                                                                if (_e2548 == 0u) {
-                                                                    phi_3303_ = false;
+                                                            let _e2585 = local_2.group_mask;
+                                                            if ((_e2585 & 4278190080u) == 0u) {
+                                                                let _e2589 = local_2.len;
+                                                                if (_e2589 == 0u) {
+                                                                    phi_3251_ = false;
                                                                 } else {
-                                                                    let _e2552 = local_5.len;
-                                                                    local_5.len = (_e2552 - 1u);
-                                                                    let _e2555 = local_5.len;
-                                                                    if (_e2555 < 32u) {
+                                                                    let _e2593 = local_2.len;
+                                                                    local_2.len = (_e2593 - 1u);
+                                                                    let _e2596 = local_2.len;
+                                                                    if (_e2596 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2560 = local_5.first[(0u + _e2555)];
-                                                                    local_5.group = _e2560;
-                                                                    let _e2563 = local_5.len;
-                                                                    if (_e2563 < 32u) {
+                                                                    let _e2601 = local_2.first[(0u + _e2596)];
+                                                                    local_2.group = _e2601;
+                                                                    let _e2604 = local_2.len;
+                                                                    if (_e2604 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2568 = local_5.mask[(0u + _e2563)];
-                                                                    local_5.group_mask = _e2568;
-                                                                    phi_3303_ = true;
+                                                                    let _e2609 = local_2.mask[(0u + _e2604)];
+                                                                    local_2.group_mask = _e2609;
+                                                                    phi_3251_ = true;
                                                                 }
-                                                                let _e2571 = phi_3303_;
-                                                                phi_3304_ = _e2571;
+                                                                let _e2612 = phi_3251_;
+                                                                phi_3252_ = _e2612;
                                                             } else {
-                                                                phi_3304_ = true;
+                                                                phi_3252_ = true;
                                                             }
-                                                            let _e2573 = phi_3304_;
-                                                            if _e2573 {
-                                                                let _e2575 = local_5.group_mask;
-                                                                let _e2581 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2575)), 32u, (_e2575 == 0u)));
-                                                                let _e2585 = local_5.group_mask;
-                                                                let _e2599 = local_5.group_mask;
-                                                                local_5.group_mask = (_e2599 & ~((1u << bitcast<u32>((_e2581 & 31u)))));
-                                                                let _e2602 = local_5.group;
-                                                                phi_3335_ = (_e2602 + countOneBits(((_e2585 & ~((4294967295u << bitcast<u32>((((_e2581 - 24u) ^ _e1381) & 31u))))) & 255u)));
+                                                            let _e2614 = phi_3252_;
+                                                            if _e2614 {
+                                                                let _e2616 = local_2.group_mask;
+                                                                let _e2622 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2616)), 32u, (_e2616 == 0u)));
+                                                                let _e2626 = local_2.group_mask;
+                                                                let _e2640 = local_2.group_mask;
+                                                                local_2.group_mask = (_e2640 & ~((1u << bitcast<u32>((_e2622 & 31u)))));
+                                                                let _e2643 = local_2.group;
+                                                                phi_3283_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1385) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3335_ = 4294967295u;
+                                                                phi_3283_ = 4294967295u;
                                                             }
-                                                            let _e2605 = phi_3335_;
-                                                            let _e3442 = local_13;
-                                                            phi_2213_ = _e3442;
-                                                            phi_2216_ = _e2605;
+                                                            let _e2646 = phi_3283_;
+                                                            let _e3773 = local_10;
+                                                            phi_2131_ = _e3773;
+                                                            phi_2134_ = _e2646;
                                                         } else {
-                                                            phi_2213_ = lt_bvh_Hit();
-                                                            phi_2216_ = u32();
+                                                            phi_2131_ = lt_bvh_Hit();
+                                                            phi_2134_ = u32();
                                                         }
-                                                        let _e2607 = phi_2213_;
-                                                        let _e2609 = phi_2216_;
+                                                        let _e2648 = phi_2131_;
+                                                        let _e2650 = phi_2134_;
                                                         continue;
                                                         continuing {
-                                                            phi_2212_ = _e2607;
-                                                            phi_2215_ = _e2609;
-                                                            break if !(_e1522);
+                                                            phi_2130_ = _e2648;
+                                                            phi_2133_ = _e2650;
+                                                            break if !(_e1526);
                                                         }
                                                     }
-                                                    let _e3446 = local_14;
-                                                    phi_3336_ = _e3446;
+                                                    let _e3777 = local_11;
+                                                    phi_3284_ = _e3777;
                                                 }
-                                                let _e2612 = phi_3336_;
-                                                phi_3337_ = _e2612;
-                                                phi_3338_ = _e1207;
+                                                let _e2653 = phi_3284_;
+                                                phi_3285_ = _e2653;
+                                                phi_3286_ = _e1211;
                                             } else {
-                                                phi_3337_ = lt_bvh_Hit();
-                                                phi_3338_ = true;
+                                                phi_3285_ = lt_bvh_Hit();
+                                                phi_3286_ = true;
                                             }
-                                            let _e2614 = phi_3337_;
-                                            let _e2616 = phi_3338_;
-                                            if _e2616 {
-                                                phi_3342_ = _e977;
+                                            let _e2655 = phi_3285_;
+                                            let _e2657 = phi_3286_;
+                                            if _e2657 {
+                                                phi_3290_ = _e980;
                                             } else {
-                                                phi_3342_ = _e2614;
+                                                phi_3290_ = _e2655;
                                             }
-                                            let _e2618 = phi_3342_;
-                                            phi_3343_ = _e2618;
+                                            let _e2659 = phi_3290_;
+                                            phi_3291_ = _e2659;
                                         } else {
-                                            phi_3343_ = _e977;
+                                            phi_3291_ = _e980;
                                         }
-                                        let _e2620 = phi_3343_;
-                                        phi_3344_ = _e2620;
+                                        let _e2661 = phi_3291_;
+                                        phi_3292_ = _e2661;
                                     } else {
-                                        phi_3344_ = _e977;
+                                        phi_3292_ = _e980;
                                     }
-                                    let _e2622 = phi_3344_;
-                                    phi_3345_ = _e2622;
+                                    let _e2663 = phi_3292_;
+                                    phi_3293_ = _e2663;
                                 } else {
-                                    phi_3345_ = _e977;
+                                    phi_3293_ = _e980;
                                 }
-                                let _e2624 = phi_3345_;
-                                phi_1588_ = (_e975 & (_e975 - 1u));
-                                phi_1591_ = _e2624;
-                                phi_3346_ = true;
+                                let _e2665 = phi_3293_;
+                                phi_1505_ = (_e978 & (_e978 - 1u));
+                                phi_1508_ = _e2665;
+                                phi_3294_ = true;
                             }
-                            let _e2626 = phi_1588_;
-                            let _e2628 = phi_1591_;
-                            let _e2630 = phi_3346_;
+                            let _e2667 = phi_1505_;
+                            let _e2669 = phi_1508_;
+                            let _e2671 = phi_3294_;
                             continue;
                             continuing {
-                                phi_1587_ = _e2626;
-                                phi_1590_ = _e2628;
-                                break if !(_e2630);
+                                phi_1504_ = _e2667;
+                                phi_1507_ = _e2669;
+                                break if !(_e2671);
                             }
                         }
-                        let _e2633 = local_6.group_mask;
-                        if ((_e2633 & 4278190080u) == 0u) {
-                            let _e2637 = local_6.len;
-                            if (_e2637 == 0u) {
-                                phi_3385_ = false;
+                        let _e2674 = local_3.group_mask;
+                        if ((_e2674 & 4278190080u) == 0u) {
+                            let _e2678 = local_3.len;
+                            if (_e2678 == 0u) {
+                                phi_3333_ = false;
                             } else {
-                                let _e2641 = local_6.len;
-                                local_6.len = (_e2641 - 1u);
-                                let _e2644 = local_6.len;
-                                if (_e2644 < 32u) {
+                                let _e2682 = local_3.len;
+                                local_3.len = (_e2682 - 1u);
+                                let _e2685 = local_3.len;
+                                if (_e2685 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2649 = local_6.first[(0u + _e2644)];
-                                local_6.group = _e2649;
-                                let _e2652 = local_6.len;
-                                if (_e2652 < 32u) {
+                                let _e2690 = local_3.first[(0u + _e2685)];
+                                local_3.group = _e2690;
+                                let _e2693 = local_3.len;
+                                if (_e2693 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2657 = local_6.mask[(0u + _e2652)];
-                                local_6.group_mask = _e2657;
-                                phi_3385_ = true;
+                                let _e2698 = local_3.mask[(0u + _e2693)];
+                                local_3.group_mask = _e2698;
+                                phi_3333_ = true;
                             }
-                            let _e2660 = phi_3385_;
-                            phi_3386_ = _e2660;
+                            let _e2701 = phi_3333_;
+                            phi_3334_ = _e2701;
                         } else {
-                            phi_3386_ = true;
+                            phi_3334_ = true;
                         }
-                        let _e2662 = phi_3386_;
-                        if _e2662 {
-                            let _e2664 = local_6.group_mask;
-                            let _e2670 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2664)), 32u, (_e2664 == 0u)));
-                            let _e2674 = local_6.group_mask;
-                            let _e2688 = local_6.group_mask;
-                            local_6.group_mask = (_e2688 & ~((1u << bitcast<u32>((_e2670 & 31u)))));
-                            let _e2691 = local_6.group;
-                            phi_3417_ = (_e2691 + countOneBits(((_e2674 & ~((4294967295u << bitcast<u32>((((_e2670 - 24u) ^ _e394) & 31u))))) & 255u)));
+                        let _e2703 = phi_3334_;
+                        if _e2703 {
+                            let _e2705 = local_3.group_mask;
+                            let _e2711 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2705)), 32u, (_e2705 == 0u)));
+                            let _e2715 = local_3.group_mask;
+                            let _e2729 = local_3.group_mask;
+                            local_3.group_mask = (_e2729 & ~((1u << bitcast<u32>((_e2711 & 31u)))));
+                            let _e2732 = local_3.group;
+                            phi_3365_ = (_e2732 + countOneBits(((_e2715 & ~((4294967295u << bitcast<u32>((((_e2711 - 24u) ^ _e397) & 31u))))) & 255u)));
                         } else {
-                            phi_3417_ = 4294967295u;
+                            phi_3365_ = 4294967295u;
                         }
-                        let _e2694 = phi_3417_;
-                        phi_1251_ = _e2694;
-                        let _e3462 = local_15;
-                        phi_1254_ = _e3462;
+                        let _e2735 = phi_3365_;
+                        phi_1168_ = _e2735;
+                        let _e3793 = local_12;
+                        phi_1171_ = _e3793;
                     } else {
-                        phi_1251_ = u32();
-                        phi_1254_ = lt_bvh_Hit();
+                        phi_1168_ = u32();
+                        phi_1171_ = lt_bvh_Hit();
                     }
-                    let _e2696 = phi_1251_;
-                    let _e2698 = phi_1254_;
+                    let _e2737 = phi_1168_;
+                    let _e2739 = phi_1171_;
                     continue;
                     continuing {
-                        phi_1250_ = _e2696;
-                        phi_1253_ = _e2698;
-                        break if !(_e535);
+                        phi_1167_ = _e2737;
+                        phi_1170_ = _e2739;
+                        break if !(_e538);
                     }
                 }
-                let _e3465 = local_16;
-                phi_3418_ = _e3465;
+                let _e3796 = local_13;
+                phi_3366_ = _e3796;
             }
-            let _e2701 = phi_3418_;
-            phi_3419_ = _e2701;
-            phi_3420_ = _e231;
+            let _e2742 = phi_3366_;
+            phi_3367_ = _e2742;
+            phi_3368_ = _e234;
         } else {
-            phi_3419_ = lt_bvh_Hit();
-            phi_3420_ = true;
+            phi_3367_ = lt_bvh_Hit();
+            phi_3368_ = true;
         }
-        let _e2703 = phi_3419_;
-        let _e2705 = phi_3420_;
-        if _e2705 {
-            phi_3424_ = _e161;
+        let _e2744 = phi_3367_;
+        let _e2746 = phi_3368_;
+        if _e2746 {
+            phi_3372_ = _e164;
         } else {
-            phi_3424_ = _e2703;
+            phi_3372_ = _e2744;
         }
-        let _e2707 = phi_3424_;
-        if (_e2707.triangle != 4294967295u) {
-            let _e2712 = lt_shaders_surface_barycentric_weights(_e2707.u, _e2707.v);
-            if (_e2707.triangle < _e78) {
+        let _e2748 = phi_3372_;
+        if (_e2748.triangle != 4294967295u) {
+            let _e2754 = ((1f - _e2748.u) - _e2748.v);
+            if (_e2748.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2717 = triangles.member[(0u + _e2707.triangle)];
-            if (_e2707.instance < _e90) {
+            let _e2759 = triangles.member[(0u + _e2748.triangle)];
+            if (_e2748.instance < _e93) {
             } else {
                 return;
             }
-            let _e2728 = instances.member[(0u + _e2707.instance)].object_to_world[0u];
-            let _e2739 = ((((_e2728.x * _e2717.v0_.x) + (_e2728.y * _e2717.v0_.y)) + (_e2728.z * _e2717.v0_.z)) + (_e2728.w * 1f));
-            let _e2741 = instances.member[(0u + _e2707.instance)].object_to_world[1u];
-            let _e2752 = ((((_e2741.x * _e2717.v0_.x) + (_e2741.y * _e2717.v0_.y)) + (_e2741.z * _e2717.v0_.z)) + (_e2741.w * 1f));
-            let _e2754 = instances.member[(0u + _e2707.instance)].object_to_world[2u];
-            let _e2765 = ((((_e2754.x * _e2717.v0_.x) + (_e2754.y * _e2717.v0_.y)) + (_e2754.z * _e2717.v0_.z)) + (_e2754.w * 1f));
-            let _e2772 = instances.member[(0u + _e2707.instance)].object_to_world[0u];
-            let _e2783 = ((((_e2772.x * _e2717.v1_.x) + (_e2772.y * _e2717.v1_.y)) + (_e2772.z * _e2717.v1_.z)) + (_e2772.w * 1f));
-            let _e2785 = instances.member[(0u + _e2707.instance)].object_to_world[1u];
-            let _e2796 = ((((_e2785.x * _e2717.v1_.x) + (_e2785.y * _e2717.v1_.y)) + (_e2785.z * _e2717.v1_.z)) + (_e2785.w * 1f));
-            let _e2798 = instances.member[(0u + _e2707.instance)].object_to_world[2u];
-            let _e2809 = ((((_e2798.x * _e2717.v1_.x) + (_e2798.y * _e2717.v1_.y)) + (_e2798.z * _e2717.v1_.z)) + (_e2798.w * 1f));
-            let _e2816 = instances.member[(0u + _e2707.instance)].object_to_world[0u];
-            let _e2827 = ((((_e2816.x * _e2717.v2_.x) + (_e2816.y * _e2717.v2_.y)) + (_e2816.z * _e2717.v2_.z)) + (_e2816.w * 1f));
-            let _e2829 = instances.member[(0u + _e2707.instance)].object_to_world[1u];
-            let _e2840 = ((((_e2829.x * _e2717.v2_.x) + (_e2829.y * _e2717.v2_.y)) + (_e2829.z * _e2717.v2_.z)) + (_e2829.w * 1f));
-            let _e2842 = instances.member[(0u + _e2707.instance)].object_to_world[2u];
-            let _e2853 = ((((_e2842.x * _e2717.v2_.x) + (_e2842.y * _e2717.v2_.y)) + (_e2842.z * _e2717.v2_.z)) + (_e2842.w * 1f));
-            let _e2869 = (((_e2739 * _e2712.x) + (_e2783 * _e2712.y)) + (_e2827 * _e2712.z));
-            let _e2870 = (((_e2752 * _e2712.x) + (_e2796 * _e2712.y)) + (_e2840 * _e2712.z));
-            let _e2871 = (((_e2765 * _e2712.x) + (_e2809 * _e2712.y)) + (_e2853 * _e2712.z));
-            let _e2873 = abs(_e2739);
-            let _e2874 = abs(_e2752);
-            let _e2875 = abs(_e2765);
-            let _e2876 = abs(_e2783);
-            let _e2877 = abs(_e2796);
-            let _e2878 = abs(_e2809);
-            if (_e2873 > _e2876) {
-                phi_3613_ = _e2873;
+            let _e2770 = instances.member[(0u + _e2748.instance)].object_to_world[0u];
+            let _e2781 = ((((_e2770.x * _e2759.v0_.x) + (_e2770.y * _e2759.v0_.y)) + (_e2770.z * _e2759.v0_.z)) + (_e2770.w * 1f));
+            let _e2783 = instances.member[(0u + _e2748.instance)].object_to_world[1u];
+            let _e2794 = ((((_e2783.x * _e2759.v0_.x) + (_e2783.y * _e2759.v0_.y)) + (_e2783.z * _e2759.v0_.z)) + (_e2783.w * 1f));
+            let _e2796 = instances.member[(0u + _e2748.instance)].object_to_world[2u];
+            let _e2807 = ((((_e2796.x * _e2759.v0_.x) + (_e2796.y * _e2759.v0_.y)) + (_e2796.z * _e2759.v0_.z)) + (_e2796.w * 1f));
+            let _e2814 = instances.member[(0u + _e2748.instance)].object_to_world[0u];
+            let _e2825 = ((((_e2814.x * _e2759.v1_.x) + (_e2814.y * _e2759.v1_.y)) + (_e2814.z * _e2759.v1_.z)) + (_e2814.w * 1f));
+            let _e2827 = instances.member[(0u + _e2748.instance)].object_to_world[1u];
+            let _e2838 = ((((_e2827.x * _e2759.v1_.x) + (_e2827.y * _e2759.v1_.y)) + (_e2827.z * _e2759.v1_.z)) + (_e2827.w * 1f));
+            let _e2840 = instances.member[(0u + _e2748.instance)].object_to_world[2u];
+            let _e2851 = ((((_e2840.x * _e2759.v1_.x) + (_e2840.y * _e2759.v1_.y)) + (_e2840.z * _e2759.v1_.z)) + (_e2840.w * 1f));
+            let _e2858 = instances.member[(0u + _e2748.instance)].object_to_world[0u];
+            let _e2869 = ((((_e2858.x * _e2759.v2_.x) + (_e2858.y * _e2759.v2_.y)) + (_e2858.z * _e2759.v2_.z)) + (_e2858.w * 1f));
+            let _e2871 = instances.member[(0u + _e2748.instance)].object_to_world[1u];
+            let _e2882 = ((((_e2871.x * _e2759.v2_.x) + (_e2871.y * _e2759.v2_.y)) + (_e2871.z * _e2759.v2_.z)) + (_e2871.w * 1f));
+            let _e2884 = instances.member[(0u + _e2748.instance)].object_to_world[2u];
+            let _e2895 = ((((_e2884.x * _e2759.v2_.x) + (_e2884.y * _e2759.v2_.y)) + (_e2884.z * _e2759.v2_.z)) + (_e2884.w * 1f));
+            let _e2908 = (((_e2781 * _e2754) + (_e2825 * _e2748.u)) + (_e2869 * _e2748.v));
+            let _e2909 = (((_e2794 * _e2754) + (_e2838 * _e2748.u)) + (_e2882 * _e2748.v));
+            let _e2910 = (((_e2807 * _e2754) + (_e2851 * _e2748.u)) + (_e2895 * _e2748.v));
+            let _e2912 = abs(_e2781);
+            let _e2913 = abs(_e2794);
+            let _e2914 = abs(_e2807);
+            let _e2915 = abs(_e2825);
+            let _e2916 = abs(_e2838);
+            let _e2917 = abs(_e2851);
+            if (_e2912 > _e2915) {
+                phi_3559_ = _e2912;
             } else {
-                phi_3613_ = _e2876;
+                phi_3559_ = _e2915;
             }
-            let _e2881 = phi_3613_;
-            if (_e2874 > _e2877) {
-                phi_3618_ = _e2874;
+            let _e2920 = phi_3559_;
+            if (_e2913 > _e2916) {
+                phi_3564_ = _e2913;
             } else {
-                phi_3618_ = _e2877;
+                phi_3564_ = _e2916;
             }
-            let _e2884 = phi_3618_;
-            if (_e2875 > _e2878) {
-                phi_3623_ = _e2875;
+            let _e2923 = phi_3564_;
+            if (_e2914 > _e2917) {
+                phi_3569_ = _e2914;
             } else {
-                phi_3623_ = _e2878;
+                phi_3569_ = _e2917;
             }
-            let _e2887 = phi_3623_;
-            let _e2888 = abs(_e2827);
-            let _e2889 = abs(_e2840);
-            let _e2890 = abs(_e2853);
-            if (_e2881 > _e2888) {
-                phi_3631_ = _e2881;
+            let _e2926 = phi_3569_;
+            let _e2927 = abs(_e2869);
+            let _e2928 = abs(_e2882);
+            let _e2929 = abs(_e2895);
+            if (_e2920 > _e2927) {
+                phi_3577_ = _e2920;
             } else {
-                phi_3631_ = _e2888;
+                phi_3577_ = _e2927;
             }
-            let _e2893 = phi_3631_;
-            if (_e2884 > _e2889) {
-                phi_3636_ = _e2884;
+            let _e2932 = phi_3577_;
+            if (_e2923 > _e2928) {
+                phi_3582_ = _e2923;
             } else {
-                phi_3636_ = _e2889;
+                phi_3582_ = _e2928;
             }
-            let _e2896 = phi_3636_;
-            if (_e2887 > _e2890) {
-                phi_3641_ = _e2887;
+            let _e2935 = phi_3582_;
+            if (_e2926 > _e2929) {
+                phi_3587_ = _e2926;
             } else {
-                phi_3641_ = _e2890;
+                phi_3587_ = _e2929;
             }
-            let _e2899 = phi_3641_;
-            let _e2900 = (_e2783 - _e2739);
-            let _e2901 = (_e2796 - _e2752);
-            let _e2902 = (_e2809 - _e2765);
-            let _e2903 = (_e2827 - _e2739);
-            let _e2904 = (_e2840 - _e2752);
-            let _e2905 = (_e2853 - _e2765);
-            let _e2909 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2901), abs(_e2902));
-            let _e2910 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2900), _e2909);
-            let _e2911 = (_e2900 / _e2910);
-            let _e2912 = (_e2901 / _e2910);
-            let _e2913 = (_e2902 / _e2910);
-            let _e2917 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2904), abs(_e2905));
-            let _e2918 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2903), _e2917);
-            let _e2919 = (_e2903 / _e2918);
-            let _e2920 = (_e2904 / _e2918);
-            let _e2921 = (_e2905 / _e2918);
-            let _e2924 = ((_e2912 * _e2921) - (_e2920 * _e2913));
-            let _e2927 = ((_e2913 * _e2919) - (_e2921 * _e2911));
-            let _e2930 = ((_e2911 * _e2920) - (_e2919 * _e2912));
-            let _e2932 = p.member.eye;
-            let _e2941 = (1f / sqrt((((_e2924 * _e2924) + (_e2927 * _e2927)) + (_e2930 * _e2930))));
-            let _e2946 = lt_shaders_camera_facing(vec3<f32>((_e2924 * _e2941), (_e2927 * _e2941), (_e2930 * _e2941)), (_e2932 - vec3<f32>(_e2869, _e2870, _e2871)));
-            if (_e2707.triangle < _e78) {
+            let _e2938 = phi_3587_;
+            let _e2939 = (_e2825 - _e2781);
+            let _e2940 = (_e2838 - _e2794);
+            let _e2941 = (_e2851 - _e2807);
+            let _e2942 = (_e2869 - _e2781);
+            let _e2943 = (_e2882 - _e2794);
+            let _e2944 = (_e2895 - _e2807);
+            let _e2948 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2940), abs(_e2941));
+            let _e2949 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2939), _e2948);
+            let _e2950 = (_e2939 / _e2949);
+            let _e2951 = (_e2940 / _e2949);
+            let _e2952 = (_e2941 / _e2949);
+            let _e2956 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2943), abs(_e2944));
+            let _e2957 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2942), _e2956);
+            let _e2958 = (_e2942 / _e2957);
+            let _e2959 = (_e2943 / _e2957);
+            let _e2960 = (_e2944 / _e2957);
+            let _e2963 = ((_e2951 * _e2960) - (_e2959 * _e2952));
+            let _e2966 = ((_e2952 * _e2958) - (_e2960 * _e2950));
+            let _e2969 = ((_e2950 * _e2959) - (_e2958 * _e2951));
+            let _e2971 = p.member.eye;
+            let _e2984 = (1f / sqrt((((_e2963 * _e2963) + (_e2966 * _e2966)) + (_e2969 * _e2969))));
+            let _e2985 = (_e2963 * _e2984);
+            let _e2986 = (_e2966 * _e2984);
+            let _e2987 = (_e2969 * _e2984);
+            if ((((_e2985 * (_e2971.x - _e2908)) + (_e2986 * (_e2971.y - _e2909))) + (_e2987 * (_e2971.z - _e2910))) < 0f) {
+                phi_3651_ = vec3<f32>(-(_e2985), -(_e2986), -(_e2987));
+            } else {
+                phi_3651_ = vec3<f32>(_e2985, _e2986, _e2987);
+            }
+            let _e3000 = phi_3651_;
+            if (_e2748.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2951 = triangles.member[(0u + _e2707.triangle)];
-            let _e2953 = (_e2951.i0_ & 2147483647u);
-            if (_e2953 < _e81) {
+            let _e3005 = triangles.member[(0u + _e2748.triangle)];
+            let _e3007 = (_e3005.i0_ & 2147483647u);
+            if (_e3007 < _e84) {
             } else {
                 return;
             }
-            let _e2959 = vertices.member[(0u + _e2953)];
-            if (_e2951.i1_ < _e81) {
+            let _e3013 = vertices.member[(0u + _e3007)];
+            if (_e3005.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e2963 = vertices.member[(0u + _e2951.i1_)];
-            if (_e2951.i2_ < _e81) {
+            let _e3017 = vertices.member[(0u + _e3005.i1_)];
+            if (_e3005.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e2967 = vertices.member[(0u + _e2951.i2_)];
-            let _e2968 = array<abi_Vertex, 3>(_e2959, _e2963, _e2967);
-            local_1 = array<abi_Vertex, 3>(abi_Vertex(_e2968[0].u, _e2968[0].v, _e2968[0].normal, _e2968[0].color, _e2968[0].material), abi_Vertex(_e2968[1].u, _e2968[1].v, _e2968[1].normal, _e2968[1].color, _e2968[1].material), abi_Vertex(_e2968[2].u, _e2968[2].v, _e2968[2].normal, _e2968[2].color, _e2968[2].material));
-            let _e2993 = local_1[0u].material;
-            if (_e2993 < _e84) {
+            let _e3021 = vertices.member[(0u + _e3005.i2_)];
+            let _e3022 = array<abi_Vertex, 3>(_e3013, _e3017, _e3021);
+            if (_e3022[0].material < _e87) {
             } else {
                 return;
             }
-            let _e2997 = materials.member[(0u + _e2993)];
-            local_2 = abi_Material(_e2997.base_color, _e2997.cutoff, _e2997.flags, _e2997.alpha_offset, _e2997.alpha_size, _e2997.color_offset, _e2997.color_size, _e2997.pad);
-            let _e3007 = lt_shaders_surface_plain_color((&local_2), (&local_1), _e2712);
-            let _e3009 = local_2.color_size;
-            if (_e3009 == 0u) {
-                phi_3862_ = vec3<f32>(1f, 1f, 1f);
+            let _e3028 = materials.member[(0u + _e3022[0].material)];
+            let _e3045 = (1f / 255f);
+            let _e3064 = (1f / 255f);
+            let _e3086 = (1f / 255f);
+            if (_e3028.color_size == 0u) {
+                phi_3894_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                let _e3012 = local_2.color_offset;
-                let _e3014 = local_2.color_size;
-                let _e3016 = local_2.flags;
-                local.offset = _e3012;
-                local.size = _e3014;
-                local.flags = _e3016;
-                let _e3020 = lt_shaders_surface_texture_coordinate((&local_1), _e2712);
-                let _e3023 = _lt_shaders_texture_TextureView_quad((&local), _e3020.x, _e3020.y);
-                if (_e3023.indices[0] < _e96) {
+                local.offset = _e3028.color_offset;
+                local.size = _e3028.color_size;
+                local.flags = _e3028.flags;
+                let _e3129 = _lt_shaders_texture_TextureView_quad((&local), (((_e3022[0].u * _e2754) + (_e3022[1].u * _e2748.u)) + (_e3022[2].u * _e2748.v)), (((_e3022[0].v * _e2754) + (_e3022[1].v * _e2748.u)) + (_e3022[2].v * _e2748.v)));
+                if (_e3129.indices[0] < _e99) {
                 } else {
                     return;
                 }
-                let _e3029 = color_texels.member[(0u + _e3023.indices[0])];
-                let _e3030 = lt_shaders_texture_unorm_bytes(_e3029);
-                if (_e3023.indices[1] < _e96) {
+                let _e3135 = color_texels.member[(0u + _e3129.indices[0])];
+                let _e3146 = (1f / 255f);
+                if (_e3129.indices[1] < _e99) {
                 } else {
                     return;
                 }
-                let _e3044 = color_texels.member[(0u + _e3023.indices[1])];
-                let _e3045 = lt_shaders_texture_unorm_bytes(_e3044);
-                if (_e3023.indices[2] < _e96) {
+                let _e3160 = color_texels.member[(0u + _e3129.indices[1])];
+                let _e3171 = (1f / 255f);
+                if (_e3129.indices[2] < _e99) {
                 } else {
                     return;
                 }
-                let _e3062 = color_texels.member[(0u + _e3023.indices[2])];
-                let _e3063 = lt_shaders_texture_unorm_bytes(_e3062);
-                if (_e3023.indices[3] < _e96) {
+                let _e3188 = color_texels.member[(0u + _e3129.indices[2])];
+                let _e3199 = (1f / 255f);
+                if (_e3129.indices[3] < _e99) {
                 } else {
                     return;
                 }
-                let _e3080 = color_texels.member[(0u + _e3023.indices[3])];
-                let _e3081 = lt_shaders_texture_unorm_bytes(_e3080);
-                let _e3090 = ((((_e3030.x * _e3023.weights.x) + (_e3045.x * _e3023.weights.y)) + (_e3063.x * _e3023.weights.z)) + (_e3081.x * _e3023.weights.w));
-                let _e3091 = ((((_e3030.y * _e3023.weights.x) + (_e3045.y * _e3023.weights.y)) + (_e3063.y * _e3023.weights.z)) + (_e3081.y * _e3023.weights.w));
-                let _e3092 = ((((_e3030.z * _e3023.weights.x) + (_e3045.z * _e3023.weights.y)) + (_e3063.z * _e3023.weights.z)) + (_e3081.z * _e3023.weights.w));
-                phi_3862_ = vec3<f32>((_e3090 * _e3090), (_e3091 * _e3091), (_e3092 * _e3092));
+                let _e3216 = color_texels.member[(0u + _e3129.indices[3])];
+                let _e3227 = (1f / 255f);
+                let _e3236 = (((((f32((_e3135 & 255u)) * _e3146) * _e3129.weights.x) + ((f32((_e3160 & 255u)) * _e3171) * _e3129.weights.y)) + ((f32((_e3188 & 255u)) * _e3199) * _e3129.weights.z)) + ((f32((_e3216 & 255u)) * _e3227) * _e3129.weights.w));
+                let _e3237 = (((((f32(((_e3135 >> bitcast<u32>(8i)) & 255u)) * _e3146) * _e3129.weights.x) + ((f32(((_e3160 >> bitcast<u32>(8i)) & 255u)) * _e3171) * _e3129.weights.y)) + ((f32(((_e3188 >> bitcast<u32>(8i)) & 255u)) * _e3199) * _e3129.weights.z)) + ((f32(((_e3216 >> bitcast<u32>(8i)) & 255u)) * _e3227) * _e3129.weights.w));
+                let _e3238 = (((((f32(((_e3135 >> bitcast<u32>(16i)) & 255u)) * _e3146) * _e3129.weights.x) + ((f32(((_e3160 >> bitcast<u32>(16i)) & 255u)) * _e3171) * _e3129.weights.y)) + ((f32(((_e3188 >> bitcast<u32>(16i)) & 255u)) * _e3199) * _e3129.weights.z)) + ((f32(((_e3216 >> bitcast<u32>(16i)) & 255u)) * _e3227) * _e3129.weights.w));
+                phi_3894_ = vec3<f32>((_e3236 * _e3236), (_e3237 * _e3237), (_e3238 * _e3238));
             }
-            let _e3098 = phi_3862_;
-            let _e3100 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2896, _e2899);
-            let _e3101 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2893, _e3100);
-            let _e3103 = local_2.flags;
-            if ((_e3103 & 2u) == 0u) {
-                phi_3873_ = 0u;
+            let _e3244 = phi_3894_;
+            let _e3246 = ((_e3028.base_color.x * ((((f32((_e3022[0].color & 255u)) * _e3045) * _e2754) + ((f32((_e3022[1].color & 255u)) * _e3064) * _e2748.u)) + ((f32((_e3022[2].color & 255u)) * _e3086) * _e2748.v))) * _e3244.x);
+            let _e3248 = ((_e3028.base_color.y * ((((f32(((_e3022[0].color >> bitcast<u32>(8i)) & 255u)) * _e3045) * _e2754) + ((f32(((_e3022[1].color >> bitcast<u32>(8i)) & 255u)) * _e3064) * _e2748.u)) + ((f32(((_e3022[2].color >> bitcast<u32>(8i)) & 255u)) * _e3086) * _e2748.v))) * _e3244.y);
+            let _e3250 = ((_e3028.base_color.z * ((((f32(((_e3022[0].color >> bitcast<u32>(16i)) & 255u)) * _e3045) * _e2754) + ((f32(((_e3022[1].color >> bitcast<u32>(16i)) & 255u)) * _e3064) * _e2748.u)) + ((f32(((_e3022[2].color >> bitcast<u32>(16i)) & 255u)) * _e3086) * _e2748.v))) * _e3244.z);
+            let _e3251 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2935, _e2938);
+            let _e3252 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2932, _e3251);
+            if ((_e3028.flags & 2u) == 0u) {
+                phi_3909_ = 0u;
             } else {
-                phi_3873_ = 1u;
+                phi_3909_ = 1u;
             }
-            let _e3107 = phi_3873_;
-            let _e3110 = local_1[0u].normal;
-            if (_e3110 == 2147516416u) {
-                phi_3973_ = _e2946;
+            let _e3257 = phi_3909_;
+            if (_e3022[0].normal == 2147516416u) {
+                phi_4139_ = _e3000;
             } else {
-                let _e3114 = local_1[0u].normal;
-                let _e3115 = lt_shaders_surface_octahedral_decode(_e3114);
-                let _e3125 = local_1[1u].normal;
-                let _e3126 = lt_shaders_surface_octahedral_decode(_e3125);
-                let _e3139 = local_1[2u].normal;
-                let _e3140 = lt_shaders_surface_octahedral_decode(_e3139);
-                let _e3148 = (((_e3115.x * _e2712.x) + (_e3126.x * _e2712.y)) + (_e3140.x * _e2712.z));
-                let _e3149 = (((_e3115.y * _e2712.x) + (_e3126.y * _e2712.y)) + (_e3140.y * _e2712.z));
-                let _e3150 = (((_e3115.z * _e2712.x) + (_e3126.z * _e2712.y)) + (_e3140.z * _e2712.z));
-                if (_e2707.instance < _e90) {
+                let _e3270 = (f32((bitcast<i32>((_e3022[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3276 = (f32((bitcast<i32>(_e3022[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3280 = ((1f - abs(_e3270)) - abs(_e3276));
+                if (_e3280 < 0f) {
+                    phi_3936_ = -(_e3280);
+                } else {
+                    phi_3936_ = 0f;
+                }
+                let _e3284 = phi_3936_;
+                if (_e3270 < 0f) {
+                    phi_3943_ = (_e3270 + _e3284);
+                } else {
+                    phi_3943_ = (_e3270 - _e3284);
+                }
+                let _e3289 = phi_3943_;
+                if (_e3276 < 0f) {
+                    phi_3950_ = (_e3276 + _e3284);
+                } else {
+                    phi_3950_ = (_e3276 - _e3284);
+                }
+                let _e3294 = phi_3950_;
+                let _e3301 = (1f / sqrt((((_e3289 * _e3289) + (_e3294 * _e3294)) + (_e3280 * _e3280))));
+                let _e3317 = (f32((bitcast<i32>((_e3022[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3323 = (f32((bitcast<i32>(_e3022[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3327 = ((1f - abs(_e3317)) - abs(_e3323));
+                if (_e3327 < 0f) {
+                    phi_3985_ = -(_e3327);
+                } else {
+                    phi_3985_ = 0f;
+                }
+                let _e3331 = phi_3985_;
+                if (_e3317 < 0f) {
+                    phi_3992_ = (_e3317 + _e3331);
+                } else {
+                    phi_3992_ = (_e3317 - _e3331);
+                }
+                let _e3336 = phi_3992_;
+                if (_e3323 < 0f) {
+                    phi_3999_ = (_e3323 + _e3331);
+                } else {
+                    phi_3999_ = (_e3323 - _e3331);
+                }
+                let _e3341 = phi_3999_;
+                let _e3348 = (1f / sqrt((((_e3336 * _e3336) + (_e3341 * _e3341)) + (_e3327 * _e3327))));
+                let _e3367 = (f32((bitcast<i32>((_e3022[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3373 = (f32((bitcast<i32>(_e3022[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3377 = ((1f - abs(_e3367)) - abs(_e3373));
+                if (_e3377 < 0f) {
+                    phi_4037_ = -(_e3377);
+                } else {
+                    phi_4037_ = 0f;
+                }
+                let _e3381 = phi_4037_;
+                if (_e3367 < 0f) {
+                    phi_4044_ = (_e3367 + _e3381);
+                } else {
+                    phi_4044_ = (_e3367 - _e3381);
+                }
+                let _e3386 = phi_4044_;
+                if (_e3373 < 0f) {
+                    phi_4051_ = (_e3373 + _e3381);
+                } else {
+                    phi_4051_ = (_e3373 - _e3381);
+                }
+                let _e3391 = phi_4051_;
+                let _e3398 = (1f / sqrt((((_e3386 * _e3386) + (_e3391 * _e3391)) + (_e3377 * _e3377))));
+                let _e3405 = ((((_e3289 * _e3301) * _e2754) + ((_e3336 * _e3348) * _e2748.u)) + ((_e3386 * _e3398) * _e2748.v));
+                let _e3406 = ((((_e3294 * _e3301) * _e2754) + ((_e3341 * _e3348) * _e2748.u)) + ((_e3391 * _e3398) * _e2748.v));
+                let _e3407 = ((((_e3280 * _e3301) * _e2754) + ((_e3327 * _e3348) * _e2748.u)) + ((_e3377 * _e3398) * _e2748.v));
+                if (_e2748.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3157 = instances.member[(0u + _e2707.instance)].world_to_object[0u];
-                let _e3166 = instances.member[(0u + _e2707.instance)].world_to_object[1u];
-                let _e3178 = instances.member[(0u + _e2707.instance)].world_to_object[2u];
-                let _e3185 = (((_e3157.x * _e3148) + (_e3166.x * _e3149)) + (_e3178.x * _e3150));
-                let _e3186 = (((_e3157.y * _e3148) + (_e3166.y * _e3149)) + (_e3178.y * _e3150));
-                let _e3187 = (((_e3157.z * _e3148) + (_e3166.z * _e3149)) + (_e3178.z * _e3150));
-                let _e3193 = sqrt((((_e3185 * _e3185) + (_e3186 * _e3186)) + (_e3187 * _e3187)));
-                if (_e3193 > 0f) {
-                    let _e3199 = lt_shaders_camera_facing(vec3<f32>((_e3185 / _e3193), (_e3186 / _e3193), (_e3187 / _e3193)), _e2946);
-                    phi_3972_ = _e3199;
+                let _e3414 = instances.member[(0u + _e2748.instance)].world_to_object[0u];
+                let _e3423 = instances.member[(0u + _e2748.instance)].world_to_object[1u];
+                let _e3435 = instances.member[(0u + _e2748.instance)].world_to_object[2u];
+                let _e3442 = (((_e3414.x * _e3405) + (_e3423.x * _e3406)) + (_e3435.x * _e3407));
+                let _e3443 = (((_e3414.y * _e3405) + (_e3423.y * _e3406)) + (_e3435.y * _e3407));
+                let _e3444 = (((_e3414.z * _e3405) + (_e3423.z * _e3406)) + (_e3435.z * _e3407));
+                let _e3450 = sqrt((((_e3442 * _e3442) + (_e3443 * _e3443)) + (_e3444 * _e3444)));
+                if (_e3450 > 0f) {
+                    let _e3452 = (_e3442 / _e3450);
+                    let _e3453 = (_e3443 / _e3450);
+                    let _e3454 = (_e3444 / _e3450);
+                    if ((((_e3452 * _e3000.x) + (_e3453 * _e3000.y)) + (_e3454 * _e3000.z)) < 0f) {
+                        phi_4137_ = vec3<f32>(-(_e3452), -(_e3453), -(_e3454));
+                    } else {
+                        phi_4137_ = vec3<f32>(_e3452, _e3453, _e3454);
+                    }
+                    let _e3470 = phi_4137_;
+                    phi_4138_ = _e3470;
                 } else {
-                    phi_3972_ = _e2946;
+                    phi_4138_ = _e3000;
                 }
-                let _e3201 = phi_3972_;
-                phi_3973_ = _e3201;
+                let _e3472 = phi_4138_;
+                phi_4139_ = _e3472;
             }
-            let _e3203 = phi_3973_;
-            let _e3204 = lt_shaders_shade_pack_albedo((_e3007 * _e3098));
-            phi_3977_ = abi_Sample(vec3<f32>(_e2869, _e2870, _e2871), _e3101, _e2946, _e3107, _e3203, _e3204);
+            let _e3474 = phi_4139_;
+            if (_e3246 > 0f) {
+                if (_e3246 < 1f) {
+                    phi_4148_ = _e3246;
+                } else {
+                    phi_4148_ = 1f;
+                }
+                let _e3478 = phi_4148_;
+                phi_4149_ = _e3478;
+            } else {
+                phi_4149_ = 0f;
+            }
+            let _e3480 = phi_4149_;
+            if (_e3248 > 0f) {
+                if (_e3248 < 1f) {
+                    phi_4159_ = _e3248;
+                } else {
+                    phi_4159_ = 1f;
+                }
+                let _e3485 = phi_4159_;
+                phi_4160_ = _e3485;
+            } else {
+                phi_4160_ = 0f;
+            }
+            let _e3487 = phi_4160_;
+            if (_e3250 > 0f) {
+                if (_e3250 < 1f) {
+                    phi_4170_ = _e3250;
+                } else {
+                    phi_4170_ = 1f;
+                }
+                let _e3492 = phi_4170_;
+                phi_4171_ = _e3492;
+            } else {
+                phi_4171_ = 0f;
+            }
+            let _e3494 = phi_4171_;
+            let _e3497 = ((sqrt(_e3480) * 255f) + 0.5f);
+            let _e3506 = ((sqrt(_e3487) * 255f) + 0.5f);
+            let _e3518 = ((sqrt(_e3494) * 255f) + 0.5f);
+            phi_4206_ = abi_Sample(vec3<f32>(_e2908, _e2909, _e2910), _e3252, _e3000, _e3257, _e3474, ((select(select(u32(_e3497), 0u, (_e3497 < bitcast<f32>(0u))), 4294967295u, (_e3497 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3506), 0u, (_e3506 < bitcast<f32>(0u))), 4294967295u, (_e3506 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3518), 0u, (_e3518 < bitcast<f32>(0u))), 4294967295u, (_e3518 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3977_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4206_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3208 = phi_3977_;
-        if (_e102.first_primitive < arrayLength((&samples.member))) {
+        let _e3532 = phi_4206_;
+        if (_e105.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e102.first_primitive)] = _e3208;
+        samples.member[(0u + _e105.first_primitive)] = _e3532;
     }
     return;
 }

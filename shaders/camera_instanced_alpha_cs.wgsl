@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -21,11 +13,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -40,11 +40,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -70,7 +70,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_40 {
+struct type_36 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -96,7 +96,7 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_49 {
+struct type_45 {
     member: array<abi_Sample>,
 }
 
@@ -113,7 +113,7 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct type_58 {
+struct type_53 {
     member: abi_CameraParams,
 }
 
@@ -125,7 +125,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_63 {
+struct type_58 {
     member: array<lt_bvh_Node>,
 }
 
@@ -157,2629 +157,2905 @@ struct lt_bvh_triangle_Intersection {
 }
 
 @group(0) @binding(3) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(4) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_58;
+var<uniform> p: type_53;
 @group(0) @binding(1) 
-var<storage> nodes: type_63;
+var<storage> nodes: type_58;
 @group(0) @binding(2) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_49;
+var<storage, read_write> samples: type_45;
 @group(0) @binding(6) 
-var<storage> instances: type_40;
+var<storage> instances: type_36;
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_22;
+var<storage> alpha_texels: type_20;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e77 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e77), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e77), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e77), (f32((param >> bitcast<u32>(24i))) * _e77));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_245_: f32;
+    var phi_250_: f32;
+    var phi_251_: bool;
+    var phi_252_: f32;
+    var phi_253_: bool;
+    var phi_257_: f32;
+    var phi_283_: f32;
+    var phi_288_: f32;
+    var phi_289_: bool;
+    var phi_290_: f32;
+    var phi_291_: bool;
+    var phi_295_: f32;
+    var phi_303_: f32;
+    var phi_304_: f32;
+    var phi_305_: f32;
+    var phi_314_: f32;
+    var phi_315_: f32;
+    var phi_333_: u32;
+    var phi_347_: u32;
+    var phi_354_: u32;
+    var phi_359_: u32;
+    var phi_365_: u32;
+    var phi_370_: u32;
+    var phi_372_: texture_Axis;
+    var phi_400_: f32;
+    var phi_405_: f32;
+    var phi_406_: bool;
+    var phi_407_: f32;
+    var phi_408_: bool;
+    var phi_412_: f32;
+    var phi_438_: f32;
+    var phi_443_: f32;
+    var phi_444_: bool;
+    var phi_445_: f32;
+    var phi_446_: bool;
+    var phi_450_: f32;
+    var phi_458_: f32;
+    var phi_459_: f32;
+    var phi_460_: f32;
+    var phi_469_: f32;
+    var phi_470_: f32;
+    var phi_488_: u32;
+    var phi_502_: u32;
+    var phi_509_: u32;
+    var phi_514_: u32;
+    var phi_520_: u32;
+    var phi_525_: u32;
+    var phi_527_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e67 = (*param_1)[0u].color;
-    let _e68 = lt_shaders_texture_unorm_bytes(_e67);
-    let _e80 = (*param_1)[1u].color;
-    let _e81 = lt_shaders_texture_unorm_bytes(_e80);
-    let _e97 = (*param_1)[2u].color;
-    let _e98 = lt_shaders_texture_unorm_bytes(_e97);
-    return vec4<f32>((((_e68.x * param_2.x) + (_e81.x * param_2.y)) + (_e98.x * param_2.z)), (((_e68.y * param_2.x) + (_e81.y * param_2.y)) + (_e98.y * param_2.z)), (((_e68.z * param_2.x) + (_e81.z * param_2.y)) + (_e98.z * param_2.z)), (((_e68.w * param_2.x) + (_e81.w * param_2.y)) + (_e98.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e67 = (*param_3)[0u].u;
-    let _e70 = (*param_3)[0u].v;
-    let _e76 = (*param_3)[1u].u;
-    let _e79 = (*param_3)[1u].v;
-    let _e87 = (*param_3)[2u].u;
-    let _e90 = (*param_3)[2u].v;
-    return vec2<f32>((((_e67 * param_4.x) + (_e76 * param_4.y)) + (_e87 * param_4.z)), (((_e70 * param_4.x) + (_e79 * param_4.y)) + (_e90 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_487_: f32;
-    var phi_488_: f32;
-    var phi_489_: f32;
-    var phi_498_: f32;
-    var phi_499_: f32;
-
-    if (param_6 == 0u) {
-        phi_489_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e72 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e72 > 1f) {
-                phi_487_ = (2f - _e72);
+    let _e73 = (*param).size;
+    let _e74 = (_e73 & 65535u);
+    let _e76 = (*param).size;
+    let _e78 = (_e76 >> bitcast<u32>(16i));
+    let _e80 = (*param).flags;
+    let _e82 = ((_e80 & 4u) != 0u);
+    let _e84 = (*param).flags;
+    let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
+    if (_e87 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e100 > param_1) {
+                phi_245_ = 1f;
             } else {
-                phi_487_ = _e72;
+                phi_245_ = 0f;
             }
-            let _e76 = phi_487_;
-            phi_488_ = _e76;
+            let _e103 = phi_245_;
+            if (param_1 < 8388608f) {
+                phi_250_ = (_e100 - _e103);
+                phi_251_ = false;
+            } else {
+                phi_250_ = f32();
+                phi_251_ = true;
+            }
+            let _e106 = phi_250_;
+            let _e108 = phi_251_;
+            phi_252_ = _e106;
+            phi_253_ = _e108;
         } else {
-            phi_488_ = param_5;
+            phi_252_ = f32();
+            phi_253_ = true;
         }
-        let _e78 = phi_488_;
-        phi_489_ = _e78;
-    }
-    let _e80 = phi_489_;
-    if (_e80 > 0f) {
-        if (_e80 < 1f) {
-            phi_498_ = _e80;
+        let _e110 = phi_252_;
+        let _e112 = phi_253_;
+        if _e112 {
+            phi_257_ = param_1;
         } else {
-            phi_498_ = 1f;
+            phi_257_ = _e110;
         }
-        let _e84 = phi_498_;
-        phi_499_ = _e84;
+        let _e114 = phi_257_;
+        phi_305_ = (param_1 - _e114);
     } else {
-        phi_499_ = 0f;
-    }
-    let _e86 = phi_499_;
-    return _e86;
-}
-
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_425_: u32;
-    var phi_439_: u32;
-    var phi_446_: u32;
-    var phi_451_: u32;
-    var phi_457_: u32;
-    var phi_462_: u32;
-    var phi_464_: texture_Axis;
-
-    let _e67 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e68 = (param_8 - 1u);
-    let _e70 = (_e67 * f32(param_8));
-    if param_10 {
-        let _e77 = select(select(u32(_e70), 0u, (_e70 < bitcast<f32>(0u))), 4294967295u, (_e70 > bitcast<f32>(1333788671u)));
-        if (_e68 < _e77) {
-            phi_425_ = _e68;
+        if (_e87 == 1u) {
+            let _e117 = (param_1 * 0.5f);
+            if (_e117 > -8388608f) {
+                let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
+                if (_e129 > _e117) {
+                    phi_283_ = 1f;
+                } else {
+                    phi_283_ = 0f;
+                }
+                let _e132 = phi_283_;
+                if (_e117 < 8388608f) {
+                    phi_288_ = (_e129 - _e132);
+                    phi_289_ = false;
+                } else {
+                    phi_288_ = f32();
+                    phi_289_ = true;
+                }
+                let _e135 = phi_288_;
+                let _e137 = phi_289_;
+                phi_290_ = _e135;
+                phi_291_ = _e137;
+            } else {
+                phi_290_ = f32();
+                phi_291_ = true;
+            }
+            let _e139 = phi_290_;
+            let _e141 = phi_291_;
+            if _e141 {
+                phi_295_ = _e117;
+            } else {
+                phi_295_ = _e139;
+            }
+            let _e143 = phi_295_;
+            let _e145 = (param_1 - (2f * _e143));
+            if (_e145 > 1f) {
+                phi_303_ = (2f - _e145);
+            } else {
+                phi_303_ = _e145;
+            }
+            let _e149 = phi_303_;
+            phi_304_ = _e149;
         } else {
-            phi_425_ = _e77;
+            phi_304_ = param_1;
         }
-        let _e80 = phi_425_;
-        phi_464_ = texture_Axis(_e80, _e80, 0f);
+        let _e151 = phi_304_;
+        phi_305_ = _e151;
+    }
+    let _e153 = phi_305_;
+    if (_e153 > 0f) {
+        if (_e153 < 1f) {
+            phi_314_ = _e153;
+        } else {
+            phi_314_ = 1f;
+        }
+        let _e157 = phi_314_;
+        phi_315_ = _e157;
     } else {
-        let _e82 = (_e70 + 0.5f);
-        let _e89 = select(select(u32(_e82), 0u, (_e82 < bitcast<f32>(0u))), 4294967295u, (_e82 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e89) {
-            phi_439_ = param_8;
-        } else {
-            phi_439_ = _e89;
-        }
-        let _e92 = phi_439_;
-        if (param_9 == 0u) {
-            phi_446_ = _e68;
-        } else {
-            phi_446_ = 0u;
-        }
-        let _e97 = phi_446_;
-        if (param_9 == 0u) {
-            phi_451_ = 0u;
-        } else {
-            phi_451_ = _e68;
-        }
-        let _e100 = phi_451_;
-        if (_e92 == 0u) {
-            phi_457_ = _e97;
-        } else {
-            phi_457_ = (_e92 - 1u);
-        }
-        let _e104 = phi_457_;
-        if (_e92 > _e68) {
-            phi_462_ = _e100;
-        } else {
-            phi_462_ = _e92;
-        }
-        let _e107 = phi_462_;
-        phi_464_ = texture_Axis(_e104, _e107, (_e82 - f32(_e92)));
+        phi_315_ = 0f;
     }
-    let _e110 = phi_464_;
-    return _e110;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e67 = (*param_11).size;
-    let _e68 = (_e67 & 65535u);
-    let _e70 = (*param_11).size;
-    let _e74 = (*param_11).flags;
-    let _e76 = ((_e74 & 4u) != 0u);
-    let _e78 = (*param_11).flags;
-    let _e82 = lt_shaders_texture_axis(param_12, _e68, ((_e78 >> bitcast<u32>(4u)) & 3u), _e76);
-    let _e84 = (*param_11).flags;
-    let _e88 = lt_shaders_texture_axis(param_13, (_e70 >> bitcast<u32>(16i)), ((_e84 >> bitcast<u32>(6u)) & 3u), _e76);
-    let _e92 = (*param_11).offset;
-    let _e99 = (*param_11).offset;
-    let _e106 = (*param_11).offset;
-    let _e113 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e92 + (_e88.low * _e68)) + _e82.low), ((_e99 + (_e88.low * _e68)) + _e82.high), ((_e106 + (_e88.high * _e68)) + _e82.low), ((_e113 + (_e88.high * _e68)) + _e82.high)), vec4<f32>(((1f - _e82.fraction) * (1f - _e88.fraction)), (_e82.fraction * (1f - _e88.fraction)), ((1f - _e82.fraction) * _e88.fraction), (_e82.fraction * _e88.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_14: vec3<u32>, param_15: u32, param_16: u32) -> lt_bvh_traverse_Tree {
-    var phi_519_: lt_bvh_traverse_Tree;
-    var phi_520_: bool;
-    var phi_521_: lt_bvh_traverse_Tree;
-    var phi_522_: bool;
-    var phi_527_: lt_bvh_traverse_Tree;
-
-    if (param_14.x < param_15) {
-        if (param_14.y < param_16) {
-            phi_519_ = lt_bvh_traverse_Tree(1u, ((param_14.y * param_15) + param_14.x));
-            phi_520_ = false;
-        } else {
-            phi_519_ = lt_bvh_traverse_Tree();
-            phi_520_ = true;
-        }
-        let _e76 = phi_519_;
-        let _e78 = phi_520_;
-        phi_521_ = _e76;
-        phi_522_ = _e78;
-    } else {
-        phi_521_ = lt_bvh_traverse_Tree();
-        phi_522_ = true;
-    }
-    let _e80 = phi_521_;
-    let _e82 = phi_522_;
+    let _e159 = phi_315_;
+    let _e160 = (_e74 - 1u);
+    let _e162 = (_e159 * f32(_e74));
     if _e82 {
-        phi_527_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_527_ = _e80;
-    }
-    let _e87 = phi_527_;
-    return lt_bvh_traverse_Tree(_e87.root, _e87.first_primitive);
-}
-
-fn lt_shaders_shade_unit(param_17: f32) -> f32 {
-    var phi_541_: f32;
-    var phi_542_: f32;
-
-    if (param_17 > 0f) {
-        if (param_17 < 1f) {
-            phi_541_ = param_17;
+        let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
+        if (_e160 < _e169) {
+            phi_333_ = _e160;
         } else {
-            phi_541_ = 1f;
+            phi_333_ = _e169;
         }
-        let _e67 = phi_541_;
-        phi_542_ = _e67;
+        let _e172 = phi_333_;
+        phi_372_ = texture_Axis(_e172, _e172, 0f);
     } else {
-        phi_542_ = 0f;
+        let _e174 = (_e162 + 0.5f);
+        let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
+        if (_e74 < _e181) {
+            phi_347_ = _e74;
+        } else {
+            phi_347_ = _e181;
+        }
+        let _e184 = phi_347_;
+        if (_e87 == 0u) {
+            phi_354_ = _e160;
+        } else {
+            phi_354_ = 0u;
+        }
+        let _e189 = phi_354_;
+        if (_e87 == 0u) {
+            phi_359_ = 0u;
+        } else {
+            phi_359_ = _e160;
+        }
+        let _e192 = phi_359_;
+        if (_e184 == 0u) {
+            phi_365_ = _e189;
+        } else {
+            phi_365_ = (_e184 - 1u);
+        }
+        let _e196 = phi_365_;
+        if (_e184 > _e160) {
+            phi_370_ = _e192;
+        } else {
+            phi_370_ = _e184;
+        }
+        let _e199 = phi_370_;
+        phi_372_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e69 = phi_542_;
-    return _e69;
+    let _e202 = phi_372_;
+    let _e204 = (*param).flags;
+    let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
+    if (_e207 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e220 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e220 > param_2) {
+                phi_400_ = 1f;
+            } else {
+                phi_400_ = 0f;
+            }
+            let _e223 = phi_400_;
+            if (param_2 < 8388608f) {
+                phi_405_ = (_e220 - _e223);
+                phi_406_ = false;
+            } else {
+                phi_405_ = f32();
+                phi_406_ = true;
+            }
+            let _e226 = phi_405_;
+            let _e228 = phi_406_;
+            phi_407_ = _e226;
+            phi_408_ = _e228;
+        } else {
+            phi_407_ = f32();
+            phi_408_ = true;
+        }
+        let _e230 = phi_407_;
+        let _e232 = phi_408_;
+        if _e232 {
+            phi_412_ = param_2;
+        } else {
+            phi_412_ = _e230;
+        }
+        let _e234 = phi_412_;
+        phi_460_ = (param_2 - _e234);
+    } else {
+        if (_e207 == 1u) {
+            let _e237 = (param_2 * 0.5f);
+            if (_e237 > -8388608f) {
+                let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
+                if (_e249 > _e237) {
+                    phi_438_ = 1f;
+                } else {
+                    phi_438_ = 0f;
+                }
+                let _e252 = phi_438_;
+                if (_e237 < 8388608f) {
+                    phi_443_ = (_e249 - _e252);
+                    phi_444_ = false;
+                } else {
+                    phi_443_ = f32();
+                    phi_444_ = true;
+                }
+                let _e255 = phi_443_;
+                let _e257 = phi_444_;
+                phi_445_ = _e255;
+                phi_446_ = _e257;
+            } else {
+                phi_445_ = f32();
+                phi_446_ = true;
+            }
+            let _e259 = phi_445_;
+            let _e261 = phi_446_;
+            if _e261 {
+                phi_450_ = _e237;
+            } else {
+                phi_450_ = _e259;
+            }
+            let _e263 = phi_450_;
+            let _e265 = (param_2 - (2f * _e263));
+            if (_e265 > 1f) {
+                phi_458_ = (2f - _e265);
+            } else {
+                phi_458_ = _e265;
+            }
+            let _e269 = phi_458_;
+            phi_459_ = _e269;
+        } else {
+            phi_459_ = param_2;
+        }
+        let _e271 = phi_459_;
+        phi_460_ = _e271;
+    }
+    let _e273 = phi_460_;
+    if (_e273 > 0f) {
+        if (_e273 < 1f) {
+            phi_469_ = _e273;
+        } else {
+            phi_469_ = 1f;
+        }
+        let _e277 = phi_469_;
+        phi_470_ = _e277;
+    } else {
+        phi_470_ = 0f;
+    }
+    let _e279 = phi_470_;
+    let _e280 = (_e78 - 1u);
+    let _e282 = (_e279 * f32(_e78));
+    if _e82 {
+        let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
+        if (_e280 < _e289) {
+            phi_488_ = _e280;
+        } else {
+            phi_488_ = _e289;
+        }
+        let _e292 = phi_488_;
+        phi_527_ = texture_Axis(_e292, _e292, 0f);
+    } else {
+        let _e294 = (_e282 + 0.5f);
+        let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
+        if (_e78 < _e301) {
+            phi_502_ = _e78;
+        } else {
+            phi_502_ = _e301;
+        }
+        let _e304 = phi_502_;
+        if (_e207 == 0u) {
+            phi_509_ = _e280;
+        } else {
+            phi_509_ = 0u;
+        }
+        let _e309 = phi_509_;
+        if (_e207 == 0u) {
+            phi_514_ = 0u;
+        } else {
+            phi_514_ = _e280;
+        }
+        let _e312 = phi_514_;
+        if (_e304 == 0u) {
+            phi_520_ = _e309;
+        } else {
+            phi_520_ = (_e304 - 1u);
+        }
+        let _e316 = phi_520_;
+        if (_e304 > _e280) {
+            phi_525_ = _e312;
+        } else {
+            phi_525_ = _e304;
+        }
+        let _e319 = phi_525_;
+        phi_527_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+    }
+    let _e322 = phi_527_;
+    let _e326 = (*param).offset;
+    let _e333 = (*param).offset;
+    let _e340 = (*param).offset;
+    let _e347 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
 }
 
-fn lt_shaders_shade_sqrt(param_18: f32) -> f32 {
-    return sqrt(param_18);
-}
-
-fn lt_shaders_shade_pack_bytes(param_19: vec3<f32>) -> u32 {
-    let _e66 = ((param_19.x * 255f) + 0.5f);
-    let _e76 = ((param_19.y * 255f) + 0.5f);
-    let _e89 = ((param_19.z * 255f) + 0.5f);
-    return ((select(select(u32(_e66), 0u, (_e66 < bitcast<f32>(0u))), 4294967295u, (_e66 > bitcast<f32>(1333788671u))) | (select(select(u32(_e76), 0u, (_e76 < bitcast<f32>(0u))), 4294967295u, (_e76 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e89), 0u, (_e89 < bitcast<f32>(0u))), 4294967295u, (_e89 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i)));
-}
-
-fn _lt_bvh_ray_Ray_new(param_20: vec3<f32>, param_21: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_20, 0f, param_21, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_22: f32, param_23: f32) -> f32 {
+fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
+    var phi_594_: lt_bvh_traverse_Tree;
+    var phi_595_: bool;
+    var phi_596_: lt_bvh_traverse_Tree;
     var phi_597_: bool;
-    var phi_601_: f32;
+    var phi_602_: lt_bvh_traverse_Tree;
 
-    if (param_22 != param_22) {
+    if (param_3.x < param_4) {
+        if (param_3.y < param_5) {
+            phi_594_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
+            phi_595_ = false;
+        } else {
+            phi_594_ = lt_bvh_traverse_Tree();
+            phi_595_ = true;
+        }
+        let _e82 = phi_594_;
+        let _e84 = phi_595_;
+        phi_596_ = _e82;
+        phi_597_ = _e84;
+    } else {
+        phi_596_ = lt_bvh_traverse_Tree();
         phi_597_ = true;
+    }
+    let _e86 = phi_596_;
+    let _e88 = phi_597_;
+    if _e88 {
+        phi_602_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        let _e66 = (param_23 >= param_22);
-        if _e66 {
+        phi_602_ = _e86;
+    }
+    let _e93 = phi_602_;
+    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+}
+
+fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
+}
+
+fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
+    var phi_621_: bool;
+    var phi_625_: f32;
+
+    if (param_8 != param_8) {
+        phi_621_ = true;
+    } else {
+        let _e72 = (param_9 >= param_8);
+        if _e72 {
         }
-        phi_597_ = _e66;
+        phi_621_ = _e72;
     }
-    let _e68 = phi_597_;
-    if _e68 {
-        phi_601_ = param_23;
+    let _e74 = phi_621_;
+    if _e74 {
+        phi_625_ = param_9;
     } else {
-        phi_601_ = param_22;
+        phi_625_ = param_8;
     }
-    let _e70 = phi_601_;
-    return _e70;
+    let _e76 = phi_625_;
+    return _e76;
 }
 
-fn core_intrinsics_minimum_number_nsz_f32_(param_24: f32, param_25: f32) -> f32 {
-    var phi_613_: bool;
-    var phi_617_: f32;
+fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
+    var phi_637_: bool;
+    var phi_641_: f32;
 
-    if (param_24 != param_24) {
-        phi_613_ = true;
+    if (param_10 != param_10) {
+        phi_637_ = true;
     } else {
-        let _e66 = (param_25 <= param_24);
-        if _e66 {
+        let _e72 = (param_11 <= param_10);
+        if _e72 {
         }
-        phi_613_ = _e66;
+        phi_637_ = _e72;
     }
-    let _e68 = phi_613_;
-    if _e68 {
-        phi_617_ = param_25;
+    let _e74 = phi_637_;
+    if _e74 {
+        phi_641_ = param_11;
     } else {
-        phi_617_ = param_24;
+        phi_641_ = param_10;
     }
-    let _e70 = phi_617_;
-    return _e70;
+    let _e76 = phi_641_;
+    return _e76;
 }
 
-fn lt_shaders_surface_barycentric_weights(param_26: f32, param_27: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_26) - param_27), param_26, param_27);
-}
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
+    var phi_649_: f32;
 
-fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_28: f32, param_29: f32) -> f32 {
-    var phi_631_: f32;
-
-    if (param_28 > param_29) {
-        phi_631_ = param_28;
+    if (param_12 > param_13) {
+        phi_649_ = param_12;
     } else {
-        phi_631_ = param_29;
+        phi_649_ = param_13;
     }
-    let _e67 = phi_631_;
-    return _e67;
+    let _e73 = phi_649_;
+    return _e73;
 }
 
-fn lt_shaders_camera_facing(param_30: vec3<f32>, param_31: vec3<f32>) -> vec3<f32> {
-    var phi_651_: vec3<f32>;
-
-    if ((((param_30.x * param_31.x) + (param_30.y * param_31.y)) + (param_30.z * param_31.z)) < 0f) {
-        phi_651_ = -(param_30);
-    } else {
-        phi_651_ = param_30;
-    }
-    let _e79 = phi_651_;
-    return _e79;
-}
-
-fn lt_shaders_surface_plain_color(param_32: ptr<function, abi_Material>, param_33: ptr<function, array<abi_Vertex, 3>>, param_34: vec3<f32>) -> vec3<f32> {
-    let _e67 = (*param_32).base_color;
-    let _e71 = lt_shaders_surface_vertex_color(param_33, param_34);
-    return vec3<f32>((_e67.x * _e71.x), (_e67.y * _e71.y), (_e67.z * _e71.z));
-}
-
-fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_35: vec3<f32>) -> vec3<f32> {
+fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_14: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(1f, 1f, 1f);
 }
 
-fn lt_shaders_surface_octahedral_decode(param_36: u32) -> vec3<f32> {
-    var phi_693_: f32;
-    var phi_700_: f32;
-    var phi_707_: f32;
-
-    let _e71 = (f32((bitcast<i32>((param_36 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e77 = (f32((bitcast<i32>(param_36) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e81 = ((1f - abs(_e71)) - abs(_e77));
-    if (_e81 < 0f) {
-        phi_693_ = -(_e81);
-    } else {
-        phi_693_ = 0f;
-    }
-    let _e85 = phi_693_;
-    if (_e71 < 0f) {
-        phi_700_ = (_e71 + _e85);
-    } else {
-        phi_700_ = (_e71 - _e85);
-    }
-    let _e90 = phi_700_;
-    if (_e77 < 0f) {
-        phi_707_ = (_e77 + _e85);
-    } else {
-        phi_707_ = (_e77 - _e85);
-    }
-    let _e95 = phi_707_;
-    let _e102 = (1f / sqrt((((_e90 * _e90) + (_e95 * _e95)) + (_e81 * _e81))));
-    return vec3<f32>((_e90 * _e102), (_e95 * _e102), (_e81 * _e102));
-}
-
-fn lt_shaders_shade_pack_albedo(param_37: vec3<f32>) -> u32 {
-    let _e65 = lt_shaders_shade_unit(param_37.x);
-    let _e66 = lt_shaders_shade_sqrt(_e65);
-    let _e68 = lt_shaders_shade_unit(param_37.y);
-    let _e69 = lt_shaders_shade_sqrt(_e68);
-    let _e71 = lt_shaders_shade_unit(param_37.z);
-    let _e72 = lt_shaders_shade_sqrt(_e71);
-    let _e74 = lt_shaders_shade_pack_bytes(vec3<f32>(_e66, _e69, _e72));
-    return _e74;
-}
-
 fn function_() {
-    var local: array<abi_Vertex, 3>;
-    var local_1: abi_Material;
-    var local_2: texture_TextureView;
-    var local_3: array<abi_Vertex, 3>;
-    var local_4: lt_bvh_traverse_Stack;
-    var local_5: lt_bvh_traverse_Stack;
-    var phi_892_: bool;
-    var phi_893_: bool;
-    var phi_894_: bool;
-    var phi_898_: bool;
-    var phi_899_: bool;
-    var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_902_: bool;
-    var phi_903_: bool;
-    var phi_904_: bool;
-    var phi_905_: bool;
-    var phi_906_: bool;
-    var phi_907_: bool;
-    var phi_908_: bool;
-    var phi_909_: bool;
-    var phi_910_: bool;
-    var phi_911_: bool;
-    var phi_912_: bool;
-    var phi_913_: bool;
-    var phi_914_: bool;
-    var phi_915_: bool;
-    var phi_919_: bool;
-    var phi_923_: bool;
-    var phi_998_: f32;
-    var phi_1005_: f32;
-    var phi_1013_: f32;
-    var phi_1020_: f32;
-    var phi_1028_: f32;
-    var phi_1035_: f32;
-    var phi_1060_: f32;
-    var phi_1065_: f32;
-    var phi_1070_: f32;
-    var phi_1092_: u32;
-    var phi_1097_: u32;
-    var phi_1102_: u32;
-    var phi_1216_: bool;
-    var phi_1217_: bool;
-    var phi_1248_: u32;
-    var phi_1250_: u32;
-    var phi_1253_: lt_bvh_Hit;
-    var phi_1338_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1365_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1392_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1398_: u32;
-    var phi_1401_: u32;
-    var phi_1415_: u32;
-    var phi_1425_: u32;
-    var phi_1435_: u32;
-    var phi_1453_: u32;
-    var phi_1463_: u32;
-    var phi_1473_: u32;
-    var phi_1509_: u32;
-    var phi_1522_: u32;
-    var phi_1527_: u32;
-    var phi_1528_: u32;
-    var phi_1529_: u32;
-    var phi_1399_: u32;
-    var phi_1402_: u32;
+    var local: texture_TextureView;
+    var local_1: lt_bvh_traverse_Stack;
+    var local_2: lt_bvh_traverse_Stack;
+    var phi_809_: bool;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: bool;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_832_: bool;
+    var phi_836_: bool;
+    var phi_840_: bool;
+    var phi_915_: f32;
+    var phi_922_: f32;
+    var phi_930_: f32;
+    var phi_937_: f32;
+    var phi_945_: f32;
+    var phi_952_: f32;
+    var phi_977_: f32;
+    var phi_982_: f32;
+    var phi_987_: f32;
+    var phi_1009_: u32;
+    var phi_1014_: u32;
+    var phi_1019_: u32;
+    var phi_1133_: bool;
+    var phi_1134_: bool;
+    var phi_1165_: u32;
+    var phi_1167_: u32;
+    var phi_1170_: lt_bvh_Hit;
+    var phi_1255_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1282_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1309_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1315_: u32;
+    var phi_1318_: u32;
+    var phi_1332_: u32;
+    var phi_1342_: u32;
+    var phi_1352_: u32;
+    var phi_1370_: u32;
+    var phi_1380_: u32;
+    var phi_1390_: u32;
+    var phi_1426_: u32;
+    var phi_1439_: u32;
+    var phi_1444_: u32;
+    var phi_1445_: u32;
+    var phi_1446_: u32;
+    var phi_1316_: u32;
+    var phi_1319_: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: u32;
+    var phi_1504_: u32;
+    var phi_1507_: lt_bvh_Hit;
+    var phi_1562_: f32;
+    var phi_1567_: f32;
+    var phi_1572_: f32;
+    var phi_1580_: f32;
+    var phi_1585_: f32;
+    var phi_1590_: f32;
+    var phi_1746_: bool;
+    var phi_1747_: bool;
+    var phi_1748_: bool;
+    var phi_1752_: bool;
+    var phi_1753_: bool;
+    var phi_1754_: bool;
+    var phi_1755_: bool;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1758_: bool;
+    var phi_1759_: bool;
+    var phi_1760_: bool;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1765_: bool;
+    var phi_1766_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1773_: bool;
+    var phi_1777_: bool;
+    var phi_1847_: f32;
+    var phi_1854_: f32;
+    var phi_1861_: f32;
+    var phi_1868_: f32;
+    var phi_1875_: f32;
+    var phi_1882_: f32;
+    var phi_1899_: f32;
+    var phi_1904_: f32;
+    var phi_1909_: f32;
+    var phi_1937_: bool;
+    var phi_1938_: bool;
+    var phi_1946_: u32;
+    var phi_1947_: u32;
+    var phi_1958_: vec3<f32>;
+    var phi_1959_: vec3<f32>;
+    var phi_1972_: u32;
+    var phi_1977_: u32;
+    var phi_1982_: u32;
+    var phi_2096_: bool;
+    var phi_2097_: bool;
+    var phi_2128_: u32;
+    var phi_2130_: lt_bvh_Hit;
+    var phi_2133_: u32;
+    var phi_2214_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2241_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2268_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2274_: u32;
+    var phi_2277_: u32;
+    var phi_2291_: u32;
+    var phi_2301_: u32;
+    var phi_2311_: u32;
+    var phi_2329_: u32;
+    var phi_2339_: u32;
+    var phi_2349_: u32;
+    var phi_2385_: u32;
+    var phi_2398_: u32;
+    var phi_2403_: u32;
+    var phi_2404_: u32;
+    var phi_2405_: u32;
+    var phi_2275_: u32;
+    var phi_2278_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_1587_: u32;
-    var phi_1590_: lt_bvh_Hit;
-    var phi_1645_: f32;
-    var phi_1650_: f32;
-    var phi_1655_: f32;
-    var phi_1663_: f32;
-    var phi_1668_: f32;
-    var phi_1673_: f32;
-    var phi_1828_: bool;
-    var phi_1829_: bool;
-    var phi_1830_: bool;
-    var phi_1834_: bool;
-    var phi_1835_: bool;
-    var phi_1836_: bool;
-    var phi_1837_: bool;
-    var phi_1838_: bool;
-    var phi_1839_: bool;
-    var phi_1840_: bool;
-    var phi_1841_: bool;
-    var phi_1842_: bool;
-    var phi_1843_: bool;
-    var phi_1844_: bool;
-    var phi_1845_: bool;
-    var phi_1846_: bool;
-    var phi_1847_: bool;
-    var phi_1848_: bool;
-    var phi_1849_: bool;
-    var phi_1850_: bool;
-    var phi_1851_: bool;
-    var phi_1855_: bool;
-    var phi_1859_: bool;
-    var phi_1929_: f32;
-    var phi_1936_: f32;
-    var phi_1943_: f32;
-    var phi_1950_: f32;
-    var phi_1957_: f32;
-    var phi_1964_: f32;
-    var phi_1981_: f32;
-    var phi_1986_: f32;
-    var phi_1991_: f32;
-    var phi_2019_: bool;
-    var phi_2020_: bool;
-    var phi_2028_: u32;
-    var phi_2029_: u32;
-    var phi_2040_: vec3<f32>;
-    var phi_2041_: vec3<f32>;
-    var phi_2054_: u32;
-    var phi_2059_: u32;
-    var phi_2064_: u32;
-    var phi_2178_: bool;
-    var phi_2179_: bool;
-    var phi_2210_: u32;
-    var phi_2212_: lt_bvh_Hit;
-    var phi_2215_: u32;
-    var phi_2296_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2323_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2350_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2356_: u32;
-    var phi_2359_: u32;
-    var phi_2373_: u32;
-    var phi_2383_: u32;
-    var phi_2393_: u32;
-    var phi_2411_: u32;
-    var phi_2421_: u32;
-    var phi_2431_: u32;
-    var phi_2467_: u32;
-    var phi_2480_: u32;
-    var phi_2485_: u32;
-    var phi_2486_: u32;
-    var phi_2487_: u32;
-    var phi_2357_: u32;
-    var phi_2360_: u32;
-    var local_9: u32;
-    var local_10: u32;
-    var local_11: u32;
-    var phi_2545_: lt_bvh_Hit;
-    var phi_2548_: u32;
-    var phi_2592_: vec3<f32>;
-    var phi_2593_: vec3<f32>;
-    var phi_2624_: vec3<f32>;
-    var phi_2625_: vec3<f32>;
-    var phi_2656_: vec3<f32>;
-    var phi_2657_: vec3<f32>;
-    var phi_2677_: bool;
-    var phi_2678_: bool;
+    var phi_2463_: lt_bvh_Hit;
+    var phi_2466_: u32;
+    var phi_2510_: vec3<f32>;
+    var phi_2511_: vec3<f32>;
+    var phi_2542_: vec3<f32>;
+    var phi_2543_: vec3<f32>;
+    var phi_2574_: vec3<f32>;
+    var phi_2575_: vec3<f32>;
+    var phi_2595_: bool;
+    var phi_2596_: bool;
+    var phi_2600_: f32;
+    var phi_2601_: f32;
+    var phi_2602_: f32;
+    var phi_2603_: f32;
+    var phi_2611_: f32;
+    var phi_2621_: bool;
+    var phi_2622_: bool;
+    var phi_2626_: f32;
+    var phi_2627_: f32;
+    var phi_2628_: f32;
+    var phi_2629_: f32;
+    var phi_2637_: f32;
+    var phi_2647_: bool;
+    var phi_2648_: bool;
+    var phi_2652_: f32;
+    var phi_2653_: f32;
+    var phi_2654_: f32;
+    var phi_2655_: f32;
+    var phi_2663_: f32;
+    var phi_2678_: f32;
+    var phi_2679_: bool;
+    var phi_2680_: f32;
+    var phi_2681_: bool;
     var phi_2682_: f32;
-    var phi_2683_: f32;
-    var phi_2684_: f32;
-    var phi_2685_: f32;
-    var phi_2693_: f32;
+    var phi_2683_: bool;
+    var phi_2701_: f32;
+    var phi_2702_: bool;
     var phi_2703_: bool;
-    var phi_2704_: bool;
-    var phi_2708_: f32;
-    var phi_2709_: f32;
-    var phi_2710_: f32;
+    var phi_2704_: f32;
+    var phi_2705_: bool;
+    var phi_2706_: bool;
+    var phi_2710_: bool;
     var phi_2711_: f32;
-    var phi_2719_: f32;
-    var phi_2729_: bool;
-    var phi_2730_: bool;
-    var phi_2734_: f32;
-    var phi_2735_: f32;
-    var phi_2736_: f32;
-    var phi_2737_: f32;
-    var phi_2745_: f32;
-    var phi_2760_: f32;
-    var phi_2761_: bool;
-    var phi_2762_: f32;
-    var phi_2763_: bool;
+    var phi_2712_: bool;
+    var phi_2746_: f32;
+    var phi_2755_: f32;
     var phi_2764_: f32;
-    var phi_2765_: bool;
-    var phi_2783_: f32;
-    var phi_2784_: bool;
-    var phi_2785_: bool;
-    var phi_2786_: f32;
-    var phi_2787_: bool;
-    var phi_2788_: bool;
-    var phi_2792_: bool;
-    var phi_2793_: f32;
-    var phi_2794_: bool;
-    var phi_2820_: f32;
-    var phi_2829_: f32;
-    var phi_2838_: f32;
-    var phi_2847_: f32;
-    var phi_2854_: f32;
-    var phi_2861_: f32;
-    var phi_2874_: f32;
-    var phi_2883_: f32;
-    var phi_2892_: f32;
-    var phi_2901_: f32;
+    var phi_2773_: f32;
+    var phi_2780_: f32;
+    var phi_2787_: f32;
+    var phi_2800_: f32;
+    var phi_2809_: f32;
+    var phi_2818_: f32;
+    var phi_2827_: f32;
+    var phi_2834_: f32;
+    var phi_2841_: f32;
+    var phi_2858_: f32;
+    var phi_2863_: f32;
+    var phi_2868_: f32;
+    var phi_2876_: f32;
+    var phi_2881_: f32;
+    var phi_2886_: f32;
+    var phi_2898_: f32;
+    var phi_2903_: f32;
     var phi_2908_: f32;
-    var phi_2915_: f32;
-    var phi_2932_: f32;
-    var phi_2937_: f32;
-    var phi_2942_: f32;
-    var phi_2950_: f32;
-    var phi_2955_: f32;
-    var phi_2960_: f32;
-    var phi_2972_: f32;
-    var phi_2977_: f32;
-    var phi_2982_: f32;
-    var phi_2987_: f32;
-    var phi_2992_: lt_bvh_triangle_Intersection;
-    var phi_2993_: lt_bvh_triangle_Intersection;
-    var phi_2994_: bool;
-    var phi_2998_: lt_bvh_triangle_Intersection;
-    var phi_3036_: bool;
-    var phi_3037_: bool;
-    var phi_3038_: bool;
-    var phi_3039_: bool;
-    var phi_3040_: bool;
-    var phi_3041_: bool;
-    var phi_3045_: bool;
-    var phi_3046_: bool;
-    var phi_3244_: f32;
-    var phi_3247_: bool;
-    var phi_3248_: bool;
+    var phi_2913_: f32;
+    var phi_2918_: lt_bvh_triangle_Intersection;
+    var phi_2919_: bool;
+    var phi_2920_: lt_bvh_triangle_Intersection;
+    var phi_2921_: bool;
+    var phi_2925_: lt_bvh_triangle_Intersection;
+    var phi_2926_: bool;
+    var phi_2927_: lt_bvh_triangle_Intersection;
+    var phi_2928_: bool;
+    var phi_2929_: bool;
+    var phi_2933_: bool;
+    var phi_2937_: lt_bvh_triangle_Intersection;
+    var phi_2975_: bool;
+    var phi_2976_: bool;
+    var phi_2977_: bool;
+    var phi_2978_: bool;
+    var phi_2979_: bool;
+    var phi_2980_: bool;
+    var phi_2984_: bool;
+    var phi_2985_: bool;
+    var phi_3192_: f32;
+    var phi_3195_: bool;
+    var phi_3196_: bool;
+    var phi_3200_: bool;
+    var phi_3208_: lt_bvh_Hit;
+    var phi_3209_: lt_bvh_Hit;
+    var phi_3210_: lt_bvh_Hit;
+    var phi_3211_: lt_bvh_Hit;
+    var phi_2464_: lt_bvh_Hit;
+    var phi_2467_: u32;
+    var phi_3212_: bool;
+    var phi_3251_: bool;
     var phi_3252_: bool;
-    var phi_3260_: lt_bvh_Hit;
-    var phi_3261_: lt_bvh_Hit;
-    var phi_3262_: lt_bvh_Hit;
-    var phi_3263_: lt_bvh_Hit;
-    var phi_2546_: lt_bvh_Hit;
-    var phi_2549_: u32;
-    var phi_3264_: bool;
-    var phi_3303_: bool;
-    var phi_3304_: bool;
-    var phi_3335_: u32;
-    var phi_2213_: lt_bvh_Hit;
-    var phi_2216_: u32;
-    var phi_3336_: lt_bvh_Hit;
-    var phi_3337_: lt_bvh_Hit;
-    var phi_3338_: bool;
-    var phi_3342_: lt_bvh_Hit;
-    var phi_3343_: lt_bvh_Hit;
-    var phi_3344_: lt_bvh_Hit;
-    var phi_3345_: lt_bvh_Hit;
-    var phi_1588_: u32;
-    var phi_1591_: lt_bvh_Hit;
-    var phi_3346_: bool;
-    var phi_3385_: bool;
-    var phi_3386_: bool;
-    var phi_3417_: u32;
-    var phi_1251_: u32;
-    var phi_1254_: lt_bvh_Hit;
-    var phi_3418_: lt_bvh_Hit;
-    var phi_3419_: lt_bvh_Hit;
-    var phi_3420_: bool;
-    var phi_3424_: lt_bvh_Hit;
-    var phi_3613_: f32;
-    var phi_3618_: f32;
-    var phi_3623_: f32;
-    var phi_3631_: f32;
-    var phi_3636_: f32;
-    var phi_3641_: f32;
-    var phi_3777_: u32;
-    var phi_3876_: vec3<f32>;
-    var phi_3877_: vec3<f32>;
-    var phi_3881_: abi_Sample;
+    var phi_3283_: u32;
+    var phi_2131_: lt_bvh_Hit;
+    var phi_2134_: u32;
+    var phi_3284_: lt_bvh_Hit;
+    var phi_3285_: lt_bvh_Hit;
+    var phi_3286_: bool;
+    var phi_3290_: lt_bvh_Hit;
+    var phi_3291_: lt_bvh_Hit;
+    var phi_3292_: lt_bvh_Hit;
+    var phi_3293_: lt_bvh_Hit;
+    var phi_1505_: u32;
+    var phi_1508_: lt_bvh_Hit;
+    var phi_3294_: bool;
+    var phi_3333_: bool;
+    var phi_3334_: bool;
+    var phi_3365_: u32;
+    var phi_1168_: u32;
+    var phi_1171_: lt_bvh_Hit;
+    var phi_3366_: lt_bvh_Hit;
+    var phi_3367_: lt_bvh_Hit;
+    var phi_3368_: bool;
+    var phi_3372_: lt_bvh_Hit;
+    var phi_3560_: f32;
+    var phi_3565_: f32;
+    var phi_3570_: f32;
+    var phi_3578_: f32;
+    var phi_3583_: f32;
+    var phi_3588_: f32;
+    var phi_3652_: vec3<f32>;
+    var phi_3773_: u32;
+    var phi_3800_: f32;
+    var phi_3807_: f32;
+    var phi_3814_: f32;
+    var phi_3849_: f32;
+    var phi_3856_: f32;
+    var phi_3863_: f32;
+    var phi_3901_: f32;
+    var phi_3908_: f32;
+    var phi_3915_: f32;
+    var phi_4001_: vec3<f32>;
+    var phi_4002_: vec3<f32>;
+    var phi_4003_: vec3<f32>;
+    var phi_4012_: f32;
+    var phi_4013_: f32;
+    var phi_4023_: f32;
+    var phi_4024_: f32;
+    var phi_4034_: f32;
+    var phi_4035_: f32;
+    var phi_4070_: abi_Sample;
+    var local_9: lt_bvh_Hit;
+    var local_10: lt_bvh_Hit;
+    var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
-    var local_13: lt_bvh_Hit;
-    var local_14: lt_bvh_Hit;
-    var local_15: lt_bvh_Hit;
 
-    let _e69 = id_1;
-    let _e73 = arrayLength((&nodes.member));
-    let _e76 = arrayLength((&triangles.member));
-    let _e79 = arrayLength((&vertices.member));
-    let _e82 = arrayLength((&materials.member));
-    let _e88 = arrayLength((&instances.member));
-    let _e91 = arrayLength((&alpha_texels.member));
-    let _e94 = p.member.size[0u];
-    let _e96 = p.member.size[1u];
-    let _e97 = lt_shaders_entry_pixel_index(_e69, _e94, _e96);
-    if (bitcast<i32>(_e97.root) != 0i) {
-        let _e103 = p.member.root;
-        let _e107 = p.member.eye;
-        let _e112 = p.member.size[0u];
-        let _e116 = ((((f32(_e69.x) + 0.5f) / f32(_e112)) * 2f) - 1f);
-        let _e121 = p.member.size[1u];
-        let _e125 = (1f - (((f32(_e69.y) + 0.5f) / f32(_e121)) * 2f));
-        let _e127 = p.member.forward;
-        let _e129 = p.member.right;
-        let _e143 = p.member.up;
-        let _e154 = _lt_bvh_ray_Ray_new(_e107, vec3<f32>(((_e127.x + (_e129.x * _e116)) + (_e143.x * _e125)), ((_e127.y + (_e129.y * _e116)) + (_e143.y * _e125)), ((_e127.z + (_e129.z * _e116)) + (_e143.z * _e125))));
-        let _e156 = lt_bvh_Hit(_e154.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e166 = abs(_e154.direction.x);
-        let _e168 = abs(_e154.direction.y);
-        let _e170 = abs(_e154.direction.z);
-        if (abs(_e154.origin.x) < 1000000000000000f) {
-            if (abs(_e154.origin.y) < 1000000000000000f) {
-                if (abs(_e154.origin.z) < 1000000000000000f) {
-                    if (_e166 < 1000000000000000f) {
-                        if (_e168 < 1000000000000000f) {
-                            if (_e170 < 1000000000000000f) {
-                                if (_e166 > 0f) {
-                                    phi_893_ = bool();
-                                    phi_894_ = true;
+    let _e72 = id_1;
+    let _e76 = arrayLength((&nodes.member));
+    let _e79 = arrayLength((&triangles.member));
+    let _e82 = arrayLength((&vertices.member));
+    let _e85 = arrayLength((&materials.member));
+    let _e91 = arrayLength((&instances.member));
+    let _e94 = arrayLength((&alpha_texels.member));
+    let _e97 = p.member.size[0u];
+    let _e99 = p.member.size[1u];
+    let _e100 = lt_shaders_entry_pixel_index(_e72, _e97, _e99);
+    if (bitcast<i32>(_e100.root) != 0i) {
+        let _e106 = p.member.root;
+        let _e110 = p.member.eye;
+        let _e115 = p.member.size[0u];
+        let _e119 = ((((f32(_e72.x) + 0.5f) / f32(_e115)) * 2f) - 1f);
+        let _e124 = p.member.size[1u];
+        let _e128 = (1f - (((f32(_e72.y) + 0.5f) / f32(_e124)) * 2f));
+        let _e130 = p.member.forward;
+        let _e132 = p.member.right;
+        let _e146 = p.member.up;
+        let _e157 = _lt_bvh_ray_Ray_new(_e110, vec3<f32>(((_e130.x + (_e132.x * _e119)) + (_e146.x * _e128)), ((_e130.y + (_e132.y * _e119)) + (_e146.y * _e128)), ((_e130.z + (_e132.z * _e119)) + (_e146.z * _e128))));
+        let _e159 = lt_bvh_Hit(_e157.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e169 = abs(_e157.direction.x);
+        let _e171 = abs(_e157.direction.y);
+        let _e173 = abs(_e157.direction.z);
+        if (abs(_e157.origin.x) < 1000000000000000f) {
+            if (abs(_e157.origin.y) < 1000000000000000f) {
+                if (abs(_e157.origin.z) < 1000000000000000f) {
+                    if (_e169 < 1000000000000000f) {
+                        if (_e171 < 1000000000000000f) {
+                            if (_e173 < 1000000000000000f) {
+                                if (_e169 > 0f) {
+                                    phi_810_ = bool();
+                                    phi_811_ = true;
                                 } else {
-                                    let _e178 = (_e168 > 0f);
-                                    if _e178 {
-                                        phi_892_ = bool();
+                                    let _e181 = (_e171 > 0f);
+                                    if _e181 {
+                                        phi_809_ = bool();
                                     } else {
-                                        phi_892_ = (_e170 > 0f);
+                                        phi_809_ = (_e173 > 0f);
                                     }
-                                    let _e181 = phi_892_;
-                                    phi_893_ = _e181;
-                                    phi_894_ = _e178;
+                                    let _e184 = phi_809_;
+                                    phi_810_ = _e184;
+                                    phi_811_ = _e181;
                                 }
-                                let _e183 = phi_893_;
-                                let _e185 = phi_894_;
-                                if _e185 {
-                                    phi_898_ = true;
+                                let _e186 = phi_810_;
+                                let _e188 = phi_811_;
+                                if _e188 {
+                                    phi_815_ = true;
                                 } else {
-                                    phi_898_ = _e183;
+                                    phi_815_ = _e186;
                                 }
-                                let _e187 = phi_898_;
-                                phi_899_ = _e187;
-                                phi_900_ = false;
+                                let _e190 = phi_815_;
+                                phi_816_ = _e190;
+                                phi_817_ = false;
                             } else {
-                                phi_899_ = bool();
-                                phi_900_ = true;
+                                phi_816_ = bool();
+                                phi_817_ = true;
                             }
-                            let _e189 = phi_899_;
-                            let _e191 = phi_900_;
-                            phi_901_ = _e189;
-                            phi_902_ = false;
-                            phi_903_ = _e191;
+                            let _e192 = phi_816_;
+                            let _e194 = phi_817_;
+                            phi_818_ = _e192;
+                            phi_819_ = false;
+                            phi_820_ = _e194;
                         } else {
-                            phi_901_ = bool();
-                            phi_902_ = true;
-                            phi_903_ = false;
+                            phi_818_ = bool();
+                            phi_819_ = true;
+                            phi_820_ = false;
                         }
-                        let _e193 = phi_901_;
-                        let _e195 = phi_902_;
-                        let _e197 = phi_903_;
-                        phi_904_ = _e193;
-                        phi_905_ = _e195;
-                        phi_906_ = _e197;
+                        let _e196 = phi_818_;
+                        let _e198 = phi_819_;
+                        let _e200 = phi_820_;
+                        phi_821_ = _e196;
+                        phi_822_ = _e198;
+                        phi_823_ = _e200;
                     } else {
-                        phi_904_ = bool();
-                        phi_905_ = true;
-                        phi_906_ = false;
+                        phi_821_ = bool();
+                        phi_822_ = true;
+                        phi_823_ = false;
                     }
-                    let _e199 = phi_904_;
-                    let _e201 = phi_905_;
-                    let _e203 = phi_906_;
-                    phi_907_ = _e199;
-                    phi_908_ = _e201;
-                    phi_909_ = _e203;
+                    let _e202 = phi_821_;
+                    let _e204 = phi_822_;
+                    let _e206 = phi_823_;
+                    phi_824_ = _e202;
+                    phi_825_ = _e204;
+                    phi_826_ = _e206;
                 } else {
-                    phi_907_ = bool();
-                    phi_908_ = true;
-                    phi_909_ = false;
+                    phi_824_ = bool();
+                    phi_825_ = true;
+                    phi_826_ = false;
                 }
-                let _e205 = phi_907_;
-                let _e207 = phi_908_;
-                let _e209 = phi_909_;
-                phi_910_ = _e205;
-                phi_911_ = _e207;
-                phi_912_ = _e209;
+                let _e208 = phi_824_;
+                let _e210 = phi_825_;
+                let _e212 = phi_826_;
+                phi_827_ = _e208;
+                phi_828_ = _e210;
+                phi_829_ = _e212;
             } else {
-                phi_910_ = bool();
-                phi_911_ = true;
-                phi_912_ = false;
+                phi_827_ = bool();
+                phi_828_ = true;
+                phi_829_ = false;
             }
-            let _e211 = phi_910_;
-            let _e213 = phi_911_;
-            let _e215 = phi_912_;
-            phi_913_ = _e211;
-            phi_914_ = _e213;
-            phi_915_ = _e215;
+            let _e214 = phi_827_;
+            let _e216 = phi_828_;
+            let _e218 = phi_829_;
+            phi_830_ = _e214;
+            phi_831_ = _e216;
+            phi_832_ = _e218;
         } else {
-            phi_913_ = bool();
-            phi_914_ = true;
-            phi_915_ = false;
+            phi_830_ = bool();
+            phi_831_ = true;
+            phi_832_ = false;
         }
-        let _e217 = phi_913_;
-        let _e219 = phi_914_;
-        let _e221 = phi_915_;
-        if _e219 {
-            phi_919_ = true;
+        let _e220 = phi_830_;
+        let _e222 = phi_831_;
+        let _e224 = phi_832_;
+        if _e222 {
+            phi_836_ = true;
         } else {
-            phi_919_ = _e221;
+            phi_836_ = _e224;
         }
-        let _e223 = phi_919_;
-        if _e223 {
-            phi_923_ = false;
+        let _e226 = phi_836_;
+        if _e226 {
+            phi_840_ = false;
         } else {
-            phi_923_ = _e217;
+            phi_840_ = _e220;
         }
-        let _e225 = phi_923_;
-        if _e225 {
-            let _e226 = (_e103 >= _e73);
-            if _e226 {
-                phi_3418_ = lt_bvh_Hit();
+        let _e228 = phi_840_;
+        if _e228 {
+            let _e229 = (_e106 >= _e76);
+            if _e229 {
+                phi_3366_ = lt_bvh_Hit();
             } else {
-                if (_e103 < _e73) {
+                if (_e106 < _e76) {
                 } else {
                     return;
                 }
-                let _e232 = nodes.member[(0u + _e103)].frame[0u];
-                let _e236 = nodes.member[(0u + _e103)].frame[1u];
-                let _e240 = nodes.member[(0u + _e103)].frame[2u];
-                let _e244 = nodes.member[(0u + _e103)].frame[0u];
-                let _e248 = nodes.member[(0u + _e103)].frame[1u];
-                let _e252 = nodes.member[(0u + _e103)].frame[2u];
-                let _e256 = nodes.member[(0u + _e103)].frame[3u];
-                let _e294 = core_intrinsics_maximum_number_nsz_f32_(abs(_e154.direction.x), abs(_e154.direction.y));
-                let _e295 = core_intrinsics_maximum_number_nsz_f32_(_e294, abs(_e154.direction.z));
-                let _e296 = (_e295 * 0.0000000000009094947f);
-                if (abs(_e154.direction.x) < _e296) {
-                    phi_998_ = _e296;
+                let _e235 = nodes.member[(0u + _e106)].frame[0u];
+                let _e239 = nodes.member[(0u + _e106)].frame[1u];
+                let _e243 = nodes.member[(0u + _e106)].frame[2u];
+                let _e247 = nodes.member[(0u + _e106)].frame[0u];
+                let _e251 = nodes.member[(0u + _e106)].frame[1u];
+                let _e255 = nodes.member[(0u + _e106)].frame[2u];
+                let _e259 = nodes.member[(0u + _e106)].frame[3u];
+                let _e297 = core_intrinsics_maximum_number_nsz_f32_(abs(_e157.direction.x), abs(_e157.direction.y));
+                let _e298 = core_intrinsics_maximum_number_nsz_f32_(_e297, abs(_e157.direction.z));
+                let _e299 = (_e298 * 0.0000000000009094947f);
+                if (abs(_e157.direction.x) < _e299) {
+                    phi_915_ = _e299;
                 } else {
-                    phi_998_ = abs(_e154.direction.x);
+                    phi_915_ = abs(_e157.direction.x);
                 }
-                let _e303 = phi_998_;
-                if (_e154.direction.x < 0f) {
-                    phi_1005_ = (-1f / _e303);
+                let _e306 = phi_915_;
+                if (_e157.direction.x < 0f) {
+                    phi_922_ = (-1f / _e306);
                 } else {
-                    phi_1005_ = (1f / _e303);
+                    phi_922_ = (1f / _e306);
                 }
-                let _e308 = phi_1005_;
-                if (abs(_e154.direction.y) < _e296) {
-                    phi_1013_ = _e296;
+                let _e311 = phi_922_;
+                if (abs(_e157.direction.y) < _e299) {
+                    phi_930_ = _e299;
                 } else {
-                    phi_1013_ = abs(_e154.direction.y);
+                    phi_930_ = abs(_e157.direction.y);
                 }
-                let _e315 = phi_1013_;
-                if (_e154.direction.y < 0f) {
-                    phi_1020_ = (-1f / _e315);
+                let _e318 = phi_930_;
+                if (_e157.direction.y < 0f) {
+                    phi_937_ = (-1f / _e318);
                 } else {
-                    phi_1020_ = (1f / _e315);
+                    phi_937_ = (1f / _e318);
                 }
-                let _e320 = phi_1020_;
-                if (abs(_e154.direction.z) < _e296) {
-                    phi_1028_ = _e296;
+                let _e323 = phi_937_;
+                if (abs(_e157.direction.z) < _e299) {
+                    phi_945_ = _e299;
                 } else {
-                    phi_1028_ = abs(_e154.direction.z);
+                    phi_945_ = abs(_e157.direction.z);
                 }
-                let _e327 = phi_1028_;
-                if (_e154.direction.z < 0f) {
-                    phi_1035_ = (-1f / _e327);
+                let _e330 = phi_945_;
+                if (_e157.direction.z < 0f) {
+                    phi_952_ = (-1f / _e330);
                 } else {
-                    phi_1035_ = (1f / _e327);
+                    phi_952_ = (1f / _e330);
                 }
-                let _e332 = phi_1035_;
-                let _e340 = abs((bitcast<f32>(_e232) - _e154.origin.x));
-                let _e341 = abs((bitcast<f32>(_e236) - _e154.origin.y));
-                let _e342 = abs((bitcast<f32>(_e240) - _e154.origin.z));
-                let _e350 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e256 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e154.origin.x));
-                let _e351 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e256 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e154.origin.y));
-                let _e352 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e256 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e154.origin.z));
-                if (_e340 > _e350) {
-                    phi_1060_ = _e340;
+                let _e335 = phi_952_;
+                let _e343 = abs((bitcast<f32>(_e235) - _e157.origin.x));
+                let _e344 = abs((bitcast<f32>(_e239) - _e157.origin.y));
+                let _e345 = abs((bitcast<f32>(_e243) - _e157.origin.z));
+                let _e353 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e259 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.x));
+                let _e354 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e259 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.y));
+                let _e355 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e259 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.z));
+                if (_e343 > _e353) {
+                    phi_977_ = _e343;
                 } else {
-                    phi_1060_ = _e350;
+                    phi_977_ = _e353;
                 }
-                let _e355 = phi_1060_;
-                if (_e341 > _e351) {
-                    phi_1065_ = _e341;
+                let _e358 = phi_977_;
+                if (_e344 > _e354) {
+                    phi_982_ = _e344;
                 } else {
-                    phi_1065_ = _e351;
+                    phi_982_ = _e354;
                 }
-                let _e358 = phi_1065_;
-                if (_e342 > _e352) {
-                    phi_1070_ = _e342;
+                let _e361 = phi_982_;
+                if (_e345 > _e355) {
+                    phi_987_ = _e345;
                 } else {
-                    phi_1070_ = _e352;
+                    phi_987_ = _e355;
                 }
-                let _e361 = phi_1070_;
-                let _e362 = core_intrinsics_maximum_number_nsz_f32_(_e355, _e358);
-                let _e363 = core_intrinsics_maximum_number_nsz_f32_(_e362, _e361);
-                let _e368 = (_e363 * 0.0000019073486f);
-                let _e369 = (abs(_e308) * _e368);
-                let _e370 = (abs(_e320) * _e368);
-                let _e371 = (abs(_e332) * _e368);
-                let _e375 = (_e363 * 0.0000009536743f);
-                let _e376 = (abs(_e308) * _e375);
-                let _e377 = (abs(_e320) * _e375);
-                let _e378 = (abs(_e332) * _e375);
-                if (_e308 < 0f) {
-                    phi_1092_ = 0u;
+                let _e364 = phi_987_;
+                let _e365 = core_intrinsics_maximum_number_nsz_f32_(_e358, _e361);
+                let _e366 = core_intrinsics_maximum_number_nsz_f32_(_e365, _e364);
+                let _e371 = (_e366 * 0.0000019073486f);
+                let _e372 = (abs(_e311) * _e371);
+                let _e373 = (abs(_e323) * _e371);
+                let _e374 = (abs(_e335) * _e371);
+                let _e378 = (_e366 * 0.0000009536743f);
+                let _e379 = (abs(_e311) * _e378);
+                let _e380 = (abs(_e323) * _e378);
+                let _e381 = (abs(_e335) * _e378);
+                if (_e311 < 0f) {
+                    phi_1009_ = 0u;
                 } else {
-                    phi_1092_ = 1u;
+                    phi_1009_ = 1u;
                 }
-                let _e381 = phi_1092_;
-                if (_e320 < 0f) {
-                    phi_1097_ = 0u;
+                let _e384 = phi_1009_;
+                if (_e323 < 0f) {
+                    phi_1014_ = 0u;
                 } else {
-                    phi_1097_ = 2u;
+                    phi_1014_ = 2u;
                 }
-                let _e384 = phi_1097_;
-                if (_e332 < 0f) {
-                    phi_1102_ = 0u;
+                let _e387 = phi_1014_;
+                if (_e335 < 0f) {
+                    phi_1019_ = 0u;
                 } else {
-                    phi_1102_ = 4u;
+                    phi_1019_ = 4u;
                 }
-                let _e387 = phi_1102_;
-                let _e389 = ((_e381 | _e384) | _e387);
-                let _e390 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e103, 2147483648u);
-                local_5 = lt_bvh_traverse_Stack(array<u32, 32>(_e390.first[0], _e390.first[1], _e390.first[2], _e390.first[3], _e390.first[4], _e390.first[5], _e390.first[6], _e390.first[7], _e390.first[8], _e390.first[9], _e390.first[10], _e390.first[11], _e390.first[12], _e390.first[13], _e390.first[14], _e390.first[15], _e390.first[16], _e390.first[17], _e390.first[18], _e390.first[19], _e390.first[20], _e390.first[21], _e390.first[22], _e390.first[23], _e390.first[24], _e390.first[25], _e390.first[26], _e390.first[27], _e390.first[28], _e390.first[29], _e390.first[30], _e390.first[31]), array<u32, 32>(_e390.mask[0], _e390.mask[1], _e390.mask[2], _e390.mask[3], _e390.mask[4], _e390.mask[5], _e390.mask[6], _e390.mask[7], _e390.mask[8], _e390.mask[9], _e390.mask[10], _e390.mask[11], _e390.mask[12], _e390.mask[13], _e390.mask[14], _e390.mask[15], _e390.mask[16], _e390.mask[17], _e390.mask[18], _e390.mask[19], _e390.mask[20], _e390.mask[21], _e390.mask[22], _e390.mask[23], _e390.mask[24], _e390.mask[25], _e390.mask[26], _e390.mask[27], _e390.mask[28], _e390.mask[29], _e390.mask[30], _e390.mask[31]), _e390.len, _e390.group, _e390.group_mask);
-                let _e464 = local_5.group_mask;
-                if ((_e464 & 4278190080u) == 0u) {
-                    let _e468 = local_5.len;
-                    if (_e468 == 0u) {
-                        phi_1216_ = false;
+                let _e390 = phi_1019_;
+                let _e392 = ((_e384 | _e387) | _e390);
+                let _e393 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e106, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e393.first[0], _e393.first[1], _e393.first[2], _e393.first[3], _e393.first[4], _e393.first[5], _e393.first[6], _e393.first[7], _e393.first[8], _e393.first[9], _e393.first[10], _e393.first[11], _e393.first[12], _e393.first[13], _e393.first[14], _e393.first[15], _e393.first[16], _e393.first[17], _e393.first[18], _e393.first[19], _e393.first[20], _e393.first[21], _e393.first[22], _e393.first[23], _e393.first[24], _e393.first[25], _e393.first[26], _e393.first[27], _e393.first[28], _e393.first[29], _e393.first[30], _e393.first[31]), array<u32, 32>(_e393.mask[0], _e393.mask[1], _e393.mask[2], _e393.mask[3], _e393.mask[4], _e393.mask[5], _e393.mask[6], _e393.mask[7], _e393.mask[8], _e393.mask[9], _e393.mask[10], _e393.mask[11], _e393.mask[12], _e393.mask[13], _e393.mask[14], _e393.mask[15], _e393.mask[16], _e393.mask[17], _e393.mask[18], _e393.mask[19], _e393.mask[20], _e393.mask[21], _e393.mask[22], _e393.mask[23], _e393.mask[24], _e393.mask[25], _e393.mask[26], _e393.mask[27], _e393.mask[28], _e393.mask[29], _e393.mask[30], _e393.mask[31]), _e393.len, _e393.group, _e393.group_mask);
+                let _e467 = local_2.group_mask;
+                if ((_e467 & 4278190080u) == 0u) {
+                    let _e471 = local_2.len;
+                    if (_e471 == 0u) {
+                        phi_1133_ = false;
                     } else {
-                        let _e472 = local_5.len;
-                        local_5.len = (_e472 - 1u);
-                        let _e475 = local_5.len;
-                        if (_e475 < 32u) {
+                        let _e475 = local_2.len;
+                        local_2.len = (_e475 - 1u);
+                        let _e478 = local_2.len;
+                        if (_e478 < 32u) {
                         } else {
                             return;
                         }
-                        let _e480 = local_5.first[(0u + _e475)];
-                        local_5.group = _e480;
-                        let _e483 = local_5.len;
-                        if (_e483 < 32u) {
+                        let _e483 = local_2.first[(0u + _e478)];
+                        local_2.group = _e483;
+                        let _e486 = local_2.len;
+                        if (_e486 < 32u) {
                         } else {
                             return;
                         }
-                        let _e488 = local_5.mask[(0u + _e483)];
-                        local_5.group_mask = _e488;
-                        phi_1216_ = true;
+                        let _e491 = local_2.mask[(0u + _e486)];
+                        local_2.group_mask = _e491;
+                        phi_1133_ = true;
                     }
-                    let _e491 = phi_1216_;
-                    phi_1217_ = _e491;
+                    let _e494 = phi_1133_;
+                    phi_1134_ = _e494;
                 } else {
-                    phi_1217_ = true;
+                    phi_1134_ = true;
                 }
-                let _e493 = phi_1217_;
-                if _e493 {
-                    let _e495 = local_5.group_mask;
-                    let _e501 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e495)), 32u, (_e495 == 0u)));
-                    let _e505 = local_5.group_mask;
-                    let _e519 = local_5.group_mask;
-                    local_5.group_mask = (_e519 & ~((1u << bitcast<u32>((_e501 & 31u)))));
-                    let _e522 = local_5.group;
-                    phi_1248_ = (_e522 + countOneBits(((_e505 & ~((4294967295u << bitcast<u32>((((_e501 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e496 = phi_1134_;
+                if _e496 {
+                    let _e498 = local_2.group_mask;
+                    let _e504 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e498)), 32u, (_e498 == 0u)));
+                    let _e508 = local_2.group_mask;
+                    let _e522 = local_2.group_mask;
+                    local_2.group_mask = (_e522 & ~((1u << bitcast<u32>((_e504 & 31u)))));
+                    let _e525 = local_2.group;
+                    phi_1165_ = (_e525 + countOneBits(((_e508 & ~((4294967295u << bitcast<u32>((((_e504 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1248_ = 4294967295u;
+                    phi_1165_ = 4294967295u;
                 }
-                let _e525 = phi_1248_;
-                phi_1250_ = _e525;
-                phi_1253_ = _e156;
+                let _e528 = phi_1165_;
+                phi_1167_ = _e528;
+                phi_1170_ = _e159;
                 loop {
-                    let _e527 = phi_1250_;
-                    let _e529 = phi_1253_;
-                    local_15 = _e529;
-                    let _e530 = (_e527 != 4294967295u);
-                    if _e530 {
-                        if (_e527 < _e73) {
+                    let _e530 = phi_1167_;
+                    let _e532 = phi_1170_;
+                    local_12 = _e532;
+                    let _e533 = (_e530 != 4294967295u);
+                    if _e533 {
+                        if (_e530 < _e76) {
                         } else {
                             return;
                         }
-                        let _e538 = nodes.member[(0u + _e527)].frame[3u];
-                        let _e563 = (bitcast<f32>((((_e538 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e308);
-                        let _e564 = (bitcast<f32>((((_e538 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e320);
-                        let _e565 = (bitcast<f32>((((_e538 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e332);
-                        let _e568 = nodes.member[(0u + _e527)].frame[0u];
-                        let _e572 = nodes.member[(0u + _e527)].frame[1u];
-                        let _e576 = nodes.member[(0u + _e527)].frame[2u];
-                        let _e584 = ((bitcast<f32>(_e568) - _e154.origin.x) * _e308);
-                        let _e585 = ((bitcast<f32>(_e572) - _e154.origin.y) * _e320);
-                        let _e586 = ((bitcast<f32>(_e576) - _e154.origin.z) * _e332);
-                        let _e594 = nodes.member[(0u + _e527)].x;
-                        if (_e308 < 0f) {
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.unnamed.root, _e594.w), _e605.unnamed_1);
-                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e594.x, _e611.unnamed_1.first_primitive));
-                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e617.unnamed, lt_bvh_traverse_Tree(_e617.unnamed_1.root, _e594.y));
+                        let _e541 = nodes.member[(0u + _e530)].frame[3u];
+                        let _e566 = (bitcast<f32>((((_e541 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
+                        let _e567 = (bitcast<f32>((((_e541 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e323);
+                        let _e568 = (bitcast<f32>((((_e541 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e335);
+                        let _e571 = nodes.member[(0u + _e530)].frame[0u];
+                        let _e575 = nodes.member[(0u + _e530)].frame[1u];
+                        let _e579 = nodes.member[(0u + _e530)].frame[2u];
+                        let _e587 = ((bitcast<f32>(_e571) - _e157.origin.x) * _e311);
+                        let _e588 = ((bitcast<f32>(_e575) - _e157.origin.y) * _e323);
+                        let _e589 = ((bitcast<f32>(_e579) - _e157.origin.z) * _e335);
+                        let _e597 = nodes.member[(0u + _e530)].x;
+                        if (_e311 < 0f) {
+                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e608.unnamed.root, _e597.w), _e608.unnamed_1);
+                            let _e620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e614.unnamed, lt_bvh_traverse_Tree(_e597.x, _e614.unnamed_1.first_primitive));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e620.unnamed, lt_bvh_traverse_Tree(_e620.unnamed_1.root, _e597.y));
                         } else {
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.unnamed.root, _e594.y), _e633.unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_bvh_traverse_Tree(_e594.z, _e639.unnamed_1.first_primitive));
-                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e645.unnamed_1.root, _e594.w));
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.unnamed.root, _e597.y), _e636.unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e597.z, _e642.unnamed_1.first_primitive));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e648.unnamed_1.root, _e597.w));
                         }
-                        let _e653 = phi_1338_;
-                        let _e663 = nodes.member[(0u + _e527)].y;
-                        if (_e320 < 0f) {
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.unnamed.root, _e663.w), _e674.unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e663.x, _e680.unnamed_1.first_primitive));
-                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e686.unnamed_1.root, _e663.y));
+                        let _e656 = phi_1255_;
+                        let _e666 = nodes.member[(0u + _e530)].y;
+                        if (_e323 < 0f) {
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e677.unnamed.root, _e666.w), _e677.unnamed_1);
+                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e666.x, _e683.unnamed_1.first_primitive));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e689.unnamed_1.root, _e666.y));
                         } else {
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.unnamed.root, _e663.y), _e702.unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_bvh_traverse_Tree(_e663.z, _e708.unnamed_1.first_primitive));
-                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e714.unnamed_1.root, _e663.w));
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.unnamed.root, _e666.y), _e705.unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e666.z, _e711.unnamed_1.first_primitive));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e717.unnamed_1.root, _e666.w));
                         }
-                        let _e722 = phi_1365_;
-                        let _e732 = nodes.member[(0u + _e527)].z;
-                        if (_e332 < 0f) {
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.unnamed.root, _e732.w), _e743.unnamed_1);
-                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e732.x, _e749.unnamed_1.first_primitive));
-                            phi_1392_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_bvh_traverse_Tree(_e755.unnamed_1.root, _e732.y));
+                        let _e725 = phi_1282_;
+                        let _e735 = nodes.member[(0u + _e530)].z;
+                        if (_e335 < 0f) {
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.unnamed.root, _e735.w), _e746.unnamed_1);
+                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e735.x, _e752.unnamed_1.first_primitive));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e758.unnamed_1.root, _e735.y));
                         } else {
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.unnamed.root, _e732.y), _e771.unnamed_1);
-                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_bvh_traverse_Tree(_e732.z, _e777.unnamed_1.first_primitive));
-                            phi_1392_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_bvh_traverse_Tree(_e783.unnamed_1.root, _e732.w));
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e774.unnamed.root, _e735.y), _e774.unnamed_1);
+                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_bvh_traverse_Tree(_e735.z, _e780.unnamed_1.first_primitive));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_bvh_traverse_Tree(_e786.unnamed_1.root, _e735.w));
                         }
-                        let _e791 = phi_1392_;
-                        phi_1398_ = 0u;
-                        phi_1401_ = 0u;
+                        let _e794 = phi_1309_;
+                        phi_1315_ = 0u;
+                        phi_1318_ = 0u;
                         loop {
-                            let _e801 = phi_1398_;
-                            let _e803 = phi_1401_;
-                            local_6 = _e803;
-                            local_7 = _e803;
-                            local_8 = _e803;
-                            let _e804 = (_e801 < 8u);
-                            if _e804 {
-                                let _e806 = (_e801 >> bitcast<u32>(2i));
-                                let _e807 = (_e801 & 3u);
-                                if (_e806 == 0u) {
-                                    phi_1415_ = _e653.unnamed.root;
+                            let _e804 = phi_1315_;
+                            let _e806 = phi_1318_;
+                            local_3 = _e806;
+                            local_4 = _e806;
+                            local_5 = _e806;
+                            let _e807 = (_e804 < 8u);
+                            if _e807 {
+                                let _e809 = (_e804 >> bitcast<u32>(2i));
+                                let _e810 = (_e804 & 3u);
+                                if (_e809 == 0u) {
+                                    phi_1332_ = _e656.unnamed.root;
                                 } else {
-                                    phi_1415_ = _e653.unnamed.first_primitive;
+                                    phi_1332_ = _e656.unnamed.first_primitive;
                                 }
-                                let _e810 = phi_1415_;
-                                if (_e806 == 0u) {
-                                    phi_1425_ = _e722.unnamed.root;
+                                let _e813 = phi_1332_;
+                                if (_e809 == 0u) {
+                                    phi_1342_ = _e725.unnamed.root;
                                 } else {
-                                    phi_1425_ = _e722.unnamed.first_primitive;
+                                    phi_1342_ = _e725.unnamed.first_primitive;
                                 }
-                                let _e819 = phi_1425_;
-                                if (_e806 == 0u) {
-                                    phi_1435_ = _e791.unnamed.root;
+                                let _e822 = phi_1342_;
+                                if (_e809 == 0u) {
+                                    phi_1352_ = _e794.unnamed.root;
                                 } else {
-                                    phi_1435_ = _e791.unnamed.first_primitive;
+                                    phi_1352_ = _e794.unnamed.first_primitive;
                                 }
-                                let _e828 = phi_1435_;
-                                let _e841 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e563) + (_e584 - _e369)), ((f32(((_e819 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e564) + (_e585 - _e370)));
-                                let _e842 = core_intrinsics_maximum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e565) + (_e586 - _e371)));
-                                if (_e806 == 0u) {
-                                    phi_1453_ = _e653.unnamed_1.root;
+                                let _e831 = phi_1352_;
+                                let _e844 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e813 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 - _e372)), ((f32(((_e822 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 - _e373)));
+                                let _e845 = core_intrinsics_maximum_number_nsz_f32_(_e844, ((f32(((_e831 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e568) + (_e589 - _e374)));
+                                if (_e809 == 0u) {
+                                    phi_1370_ = _e656.unnamed_1.root;
                                 } else {
-                                    phi_1453_ = _e653.unnamed_1.first_primitive;
+                                    phi_1370_ = _e656.unnamed_1.first_primitive;
                                 }
-                                let _e845 = phi_1453_;
-                                if (_e806 == 0u) {
-                                    phi_1463_ = _e722.unnamed_1.root;
+                                let _e848 = phi_1370_;
+                                if (_e809 == 0u) {
+                                    phi_1380_ = _e725.unnamed_1.root;
                                 } else {
-                                    phi_1463_ = _e722.unnamed_1.first_primitive;
+                                    phi_1380_ = _e725.unnamed_1.first_primitive;
                                 }
-                                let _e854 = phi_1463_;
-                                if (_e806 == 0u) {
-                                    phi_1473_ = _e791.unnamed_1.root;
+                                let _e857 = phi_1380_;
+                                if (_e809 == 0u) {
+                                    phi_1390_ = _e794.unnamed_1.root;
                                 } else {
-                                    phi_1473_ = _e791.unnamed_1.first_primitive;
+                                    phi_1390_ = _e794.unnamed_1.first_primitive;
                                 }
-                                let _e863 = phi_1473_;
-                                let _e876 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e845 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e563) + (_e584 + _e369)), ((f32(((_e854 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e564) + (_e585 + _e370)));
-                                let _e877 = core_intrinsics_minimum_number_nsz_f32_(_e876, ((f32(((_e863 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e565) + (_e586 + _e371)));
-                                if (_e842 <= _e877) {
-                                    if (_e842 <= _e529.t) {
-                                        if (_e877 >= _e154.tmin) {
-                                            if (_e806 == 0u) {
-                                                let _e884 = nodes.member[(0u + _e527)].links[2u];
-                                                phi_1509_ = _e884;
+                                let _e866 = phi_1390_;
+                                let _e879 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e848 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 + _e372)), ((f32(((_e857 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 + _e373)));
+                                let _e880 = core_intrinsics_minimum_number_nsz_f32_(_e879, ((f32(((_e866 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e568) + (_e589 + _e374)));
+                                if (_e845 <= _e880) {
+                                    if (_e845 <= _e532.t) {
+                                        if (_e880 >= _e157.tmin) {
+                                            if (_e809 == 0u) {
+                                                let _e887 = nodes.member[(0u + _e530)].links[2u];
+                                                phi_1426_ = _e887;
                                             } else {
-                                                let _e887 = nodes.member[(0u + _e527)].links[3u];
-                                                phi_1509_ = _e887;
+                                                let _e890 = nodes.member[(0u + _e530)].links[3u];
+                                                phi_1426_ = _e890;
                                             }
-                                            let _e889 = phi_1509_;
-                                            let _e894 = ((_e889 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u);
-                                            let _e895 = (_e894 & 31u);
-                                            if (_e895 >= 24u) {
-                                                phi_1522_ = (24u + ((_e895 - 24u) ^ _e389));
+                                            let _e892 = phi_1426_;
+                                            let _e897 = ((_e892 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u);
+                                            let _e898 = (_e897 & 31u);
+                                            if (_e898 >= 24u) {
+                                                phi_1439_ = (24u + ((_e898 - 24u) ^ _e392));
                                             } else {
-                                                phi_1522_ = _e895;
+                                                phi_1439_ = _e898;
                                             }
-                                            let _e901 = phi_1522_;
-                                            phi_1527_ = (_e803 | ((_e894 >> bitcast<u32>(5i)) << bitcast<u32>((_e901 & 31u))));
+                                            let _e904 = phi_1439_;
+                                            phi_1444_ = (_e806 | ((_e897 >> bitcast<u32>(5i)) << bitcast<u32>((_e904 & 31u))));
                                         } else {
-                                            phi_1527_ = _e803;
+                                            phi_1444_ = _e806;
                                         }
-                                        let _e909 = phi_1527_;
-                                        phi_1528_ = _e909;
+                                        let _e912 = phi_1444_;
+                                        phi_1445_ = _e912;
                                     } else {
-                                        phi_1528_ = _e803;
+                                        phi_1445_ = _e806;
                                     }
-                                    let _e911 = phi_1528_;
-                                    phi_1529_ = _e911;
+                                    let _e914 = phi_1445_;
+                                    phi_1446_ = _e914;
                                 } else {
-                                    phi_1529_ = _e803;
+                                    phi_1446_ = _e806;
                                 }
-                                let _e913 = phi_1529_;
-                                phi_1399_ = (_e801 + 1u);
-                                phi_1402_ = _e913;
+                                let _e916 = phi_1446_;
+                                phi_1316_ = (_e804 + 1u);
+                                phi_1319_ = _e916;
                             } else {
-                                phi_1399_ = u32();
-                                phi_1402_ = u32();
+                                phi_1316_ = u32();
+                                phi_1319_ = u32();
                             }
-                            let _e916 = phi_1399_;
-                            let _e918 = phi_1402_;
+                            let _e919 = phi_1316_;
+                            let _e921 = phi_1319_;
                             continue;
                             continuing {
-                                phi_1398_ = _e916;
-                                phi_1401_ = _e918;
-                                break if !(_e804);
+                                phi_1315_ = _e919;
+                                phi_1318_ = _e921;
+                                break if !(_e807);
                             }
                         }
-                        let _e922 = nodes.member[(0u + _e527)].links[0u];
-                        let _e926 = nodes.member[(0u + _e527)].frame[3u];
-                        let _e930 = local_6;
-                        if ((_e930 & 4278190080u) == 0u) {
+                        let _e925 = nodes.member[(0u + _e530)].links[0u];
+                        let _e929 = nodes.member[(0u + _e530)].frame[3u];
+                        let _e933 = local_3;
+                        if ((_e933 & 4278190080u) == 0u) {
                         } else {
-                            let _e934 = local_5.group_mask;
-                            if ((_e934 & 4278190080u) == 0u) {
+                            let _e937 = local_2.group_mask;
+                            if ((_e937 & 4278190080u) == 0u) {
                             } else {
-                                let _e938 = local_5.len;
-                                if (_e938 < 32u) {
-                                    let _e941 = local_5.group;
-                                    let _e943 = local_5.len;
-                                    if (_e943 < 32u) {
+                                let _e941 = local_2.len;
+                                if (_e941 < 32u) {
+                                    let _e944 = local_2.group;
+                                    let _e946 = local_2.len;
+                                    if (_e946 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_5.first[(0u + _e943)] = _e941;
-                                    let _e949 = local_5.group_mask;
-                                    let _e951 = local_5.len;
-                                    if (_e951 < 32u) {
+                                    local_2.first[(0u + _e946)] = _e944;
+                                    let _e952 = local_2.group_mask;
+                                    let _e954 = local_2.len;
+                                    if (_e954 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_5.mask[(0u + _e951)] = _e949;
-                                    let _e958 = local_5.len;
-                                    local_5.len = (_e958 + 1u);
+                                    local_2.mask[(0u + _e954)] = _e952;
+                                    let _e961 = local_2.len;
+                                    local_2.len = (_e961 + 1u);
                                 }
                             }
-                            local_5.group = (_e103 + _e922);
-                            let _e962 = local_7;
-                            local_5.group_mask = ((_e962 & 4278190080u) | (_e926 >> bitcast<u32>(24i)));
+                            local_2.group = (_e106 + _e925);
+                            let _e965 = local_4;
+                            local_2.group_mask = ((_e965 & 4278190080u) | (_e929 >> bitcast<u32>(24i)));
                         }
-                        let _e967 = local_8;
-                        phi_1587_ = (_e967 & 16777215u);
-                        phi_1590_ = _e529;
+                        let _e970 = local_5;
+                        phi_1504_ = (_e970 & 16777215u);
+                        phi_1507_ = _e532;
                         loop {
-                            let _e970 = phi_1587_;
-                            let _e972 = phi_1590_;
-                            local_14 = _e972;
-                            if (_e970 == 0u) {
-                                phi_1588_ = u32();
-                                phi_1591_ = lt_bvh_Hit();
-                                phi_3346_ = false;
+                            let _e973 = phi_1504_;
+                            let _e975 = phi_1507_;
+                            local_11 = _e975;
+                            if (_e973 == 0u) {
+                                phi_1505_ = u32();
+                                phi_1508_ = lt_bvh_Hit();
+                                phi_3294_ = false;
                             } else {
-                                let _e976 = nodes.member[(0u + _e527)].links[1u];
-                                let _e980 = (_e976 + select(firstTrailingBit(_e970), 32u, (_e970 == 0u)));
-                                if (_e980 < _e88) {
+                                let _e979 = nodes.member[(0u + _e530)].links[1u];
+                                let _e983 = (_e979 + select(firstTrailingBit(_e973), 32u, (_e973 == 0u)));
+                                if (_e983 < _e91) {
                                 } else {
                                     return;
                                 }
-                                let _e987 = instances.member[(0u + _e980)].low_world;
-                                let _e989 = instances.member[(0u + _e980)].high_world;
-                                let _e999 = ((_e987.x - _e154.origin.x) * _e308);
-                                let _e1000 = ((_e987.y - _e154.origin.y) * _e320);
-                                let _e1001 = ((_e987.z - _e154.origin.z) * _e332);
-                                let _e1011 = ((_e989.x - _e154.origin.x) * _e308);
-                                let _e1012 = ((_e989.y - _e154.origin.y) * _e320);
-                                let _e1013 = ((_e989.z - _e154.origin.z) * _e332);
-                                if (_e999 < _e1011) {
-                                    phi_1645_ = _e999;
+                                let _e990 = instances.member[(0u + _e983)].low_world;
+                                let _e992 = instances.member[(0u + _e983)].high_world;
+                                let _e1002 = ((_e990.x - _e157.origin.x) * _e311);
+                                let _e1003 = ((_e990.y - _e157.origin.y) * _e323);
+                                let _e1004 = ((_e990.z - _e157.origin.z) * _e335);
+                                let _e1014 = ((_e992.x - _e157.origin.x) * _e311);
+                                let _e1015 = ((_e992.y - _e157.origin.y) * _e323);
+                                let _e1016 = ((_e992.z - _e157.origin.z) * _e335);
+                                if (_e1002 < _e1014) {
+                                    phi_1562_ = _e1002;
                                 } else {
-                                    phi_1645_ = _e1011;
+                                    phi_1562_ = _e1014;
                                 }
-                                let _e1016 = phi_1645_;
-                                if (_e1000 < _e1012) {
-                                    phi_1650_ = _e1000;
+                                let _e1019 = phi_1562_;
+                                if (_e1003 < _e1015) {
+                                    phi_1567_ = _e1003;
                                 } else {
-                                    phi_1650_ = _e1012;
+                                    phi_1567_ = _e1015;
                                 }
-                                let _e1019 = phi_1650_;
-                                if (_e1001 < _e1013) {
-                                    phi_1655_ = _e1001;
+                                let _e1022 = phi_1567_;
+                                if (_e1004 < _e1016) {
+                                    phi_1572_ = _e1004;
                                 } else {
-                                    phi_1655_ = _e1013;
+                                    phi_1572_ = _e1016;
                                 }
-                                let _e1022 = phi_1655_;
-                                if (_e999 > _e1011) {
-                                    phi_1663_ = _e999;
+                                let _e1025 = phi_1572_;
+                                if (_e1002 > _e1014) {
+                                    phi_1580_ = _e1002;
                                 } else {
-                                    phi_1663_ = _e1011;
+                                    phi_1580_ = _e1014;
                                 }
-                                let _e1028 = phi_1663_;
-                                if (_e1000 > _e1012) {
-                                    phi_1668_ = _e1000;
+                                let _e1031 = phi_1580_;
+                                if (_e1003 > _e1015) {
+                                    phi_1585_ = _e1003;
                                 } else {
-                                    phi_1668_ = _e1012;
+                                    phi_1585_ = _e1015;
                                 }
-                                let _e1031 = phi_1668_;
-                                if (_e1001 > _e1013) {
-                                    phi_1673_ = _e1001;
+                                let _e1034 = phi_1585_;
+                                if (_e1004 > _e1016) {
+                                    phi_1590_ = _e1004;
                                 } else {
-                                    phi_1673_ = _e1013;
+                                    phi_1590_ = _e1016;
                                 }
-                                let _e1034 = phi_1673_;
-                                let _e1038 = core_intrinsics_maximum_number_nsz_f32_((_e1016 - _e376), (_e1019 - _e377));
-                                let _e1039 = core_intrinsics_maximum_number_nsz_f32_(_e1038, (_e1022 - _e378));
-                                let _e1040 = core_intrinsics_minimum_number_nsz_f32_((_e1028 + _e376), (_e1031 + _e377));
-                                let _e1041 = core_intrinsics_minimum_number_nsz_f32_(_e1040, (_e1034 + _e378));
-                                if (_e1039 <= _e1041) {
-                                    if (_e1039 <= _e972.t) {
-                                        if (_e1041 >= _e154.tmin) {
-                                            let _e1053 = instances.member[(0u + _e980)].world_to_object[0u];
-                                            let _e1064 = ((((_e1053.x * _e154.origin.x) + (_e1053.y * _e154.origin.y)) + (_e1053.z * _e154.origin.z)) + (_e1053.w * 1f));
-                                            let _e1066 = instances.member[(0u + _e980)].world_to_object[1u];
-                                            let _e1077 = ((((_e1066.x * _e154.origin.x) + (_e1066.y * _e154.origin.y)) + (_e1066.z * _e154.origin.z)) + (_e1066.w * 1f));
-                                            let _e1079 = instances.member[(0u + _e980)].world_to_object[2u];
-                                            let _e1090 = ((((_e1079.x * _e154.origin.x) + (_e1079.y * _e154.origin.y)) + (_e1079.z * _e154.origin.z)) + (_e1079.w * 1f));
-                                            let _e1097 = instances.member[(0u + _e980)].world_to_object[0u];
-                                            let _e1108 = ((((_e1097.x * _e154.direction.x) + (_e1097.y * _e154.direction.y)) + (_e1097.z * _e154.direction.z)) + (_e1097.w * 0f));
-                                            let _e1110 = instances.member[(0u + _e980)].world_to_object[1u];
-                                            let _e1121 = ((((_e1110.x * _e154.direction.x) + (_e1110.y * _e154.direction.y)) + (_e1110.z * _e154.direction.z)) + (_e1110.w * 0f));
-                                            let _e1123 = instances.member[(0u + _e980)].world_to_object[2u];
-                                            let _e1134 = ((((_e1123.x * _e154.direction.x) + (_e1123.y * _e154.direction.y)) + (_e1123.z * _e154.direction.z)) + (_e1123.w * 0f));
-                                            let _e1138 = instances.member[(0u + _e980)].root;
-                                            let _e1140 = instances.member[(0u + _e980)].first_triangle;
-                                            let _e1144 = abs(_e1108);
-                                            let _e1145 = abs(_e1121);
-                                            let _e1146 = abs(_e1134);
-                                            if (abs(_e1064) < 1000000000000000f) {
-                                                if (abs(_e1077) < 1000000000000000f) {
-                                                    if (abs(_e1090) < 1000000000000000f) {
-                                                        if (_e1144 < 1000000000000000f) {
-                                                            if (_e1145 < 1000000000000000f) {
-                                                                if (_e1146 < 1000000000000000f) {
-                                                                    if (_e1144 > 0f) {
-                                                                        phi_1829_ = bool();
-                                                                        phi_1830_ = true;
+                                let _e1037 = phi_1590_;
+                                let _e1041 = core_intrinsics_maximum_number_nsz_f32_((_e1019 - _e379), (_e1022 - _e380));
+                                let _e1042 = core_intrinsics_maximum_number_nsz_f32_(_e1041, (_e1025 - _e381));
+                                let _e1043 = core_intrinsics_minimum_number_nsz_f32_((_e1031 + _e379), (_e1034 + _e380));
+                                let _e1044 = core_intrinsics_minimum_number_nsz_f32_(_e1043, (_e1037 + _e381));
+                                if (_e1042 <= _e1044) {
+                                    if (_e1042 <= _e975.t) {
+                                        if (_e1044 >= _e157.tmin) {
+                                            let _e1056 = instances.member[(0u + _e983)].world_to_object[0u];
+                                            let _e1067 = ((((_e1056.x * _e157.origin.x) + (_e1056.y * _e157.origin.y)) + (_e1056.z * _e157.origin.z)) + (_e1056.w * 1f));
+                                            let _e1069 = instances.member[(0u + _e983)].world_to_object[1u];
+                                            let _e1080 = ((((_e1069.x * _e157.origin.x) + (_e1069.y * _e157.origin.y)) + (_e1069.z * _e157.origin.z)) + (_e1069.w * 1f));
+                                            let _e1082 = instances.member[(0u + _e983)].world_to_object[2u];
+                                            let _e1093 = ((((_e1082.x * _e157.origin.x) + (_e1082.y * _e157.origin.y)) + (_e1082.z * _e157.origin.z)) + (_e1082.w * 1f));
+                                            let _e1100 = instances.member[(0u + _e983)].world_to_object[0u];
+                                            let _e1111 = ((((_e1100.x * _e157.direction.x) + (_e1100.y * _e157.direction.y)) + (_e1100.z * _e157.direction.z)) + (_e1100.w * 0f));
+                                            let _e1113 = instances.member[(0u + _e983)].world_to_object[1u];
+                                            let _e1124 = ((((_e1113.x * _e157.direction.x) + (_e1113.y * _e157.direction.y)) + (_e1113.z * _e157.direction.z)) + (_e1113.w * 0f));
+                                            let _e1126 = instances.member[(0u + _e983)].world_to_object[2u];
+                                            let _e1137 = ((((_e1126.x * _e157.direction.x) + (_e1126.y * _e157.direction.y)) + (_e1126.z * _e157.direction.z)) + (_e1126.w * 0f));
+                                            let _e1142 = instances.member[(0u + _e983)].root;
+                                            let _e1144 = instances.member[(0u + _e983)].first_triangle;
+                                            let _e1148 = abs(_e1111);
+                                            let _e1149 = abs(_e1124);
+                                            let _e1150 = abs(_e1137);
+                                            if (abs(_e1067) < 1000000000000000f) {
+                                                if (abs(_e1080) < 1000000000000000f) {
+                                                    if (abs(_e1093) < 1000000000000000f) {
+                                                        if (_e1148 < 1000000000000000f) {
+                                                            if (_e1149 < 1000000000000000f) {
+                                                                if (_e1150 < 1000000000000000f) {
+                                                                    if (_e1148 > 0f) {
+                                                                        phi_1747_ = bool();
+                                                                        phi_1748_ = true;
                                                                     } else {
-                                                                        let _e1154 = (_e1145 > 0f);
-                                                                        if _e1154 {
-                                                                            phi_1828_ = bool();
+                                                                        let _e1158 = (_e1149 > 0f);
+                                                                        if _e1158 {
+                                                                            phi_1746_ = bool();
                                                                         } else {
-                                                                            phi_1828_ = (_e1146 > 0f);
+                                                                            phi_1746_ = (_e1150 > 0f);
                                                                         }
-                                                                        let _e1157 = phi_1828_;
-                                                                        phi_1829_ = _e1157;
-                                                                        phi_1830_ = _e1154;
+                                                                        let _e1161 = phi_1746_;
+                                                                        phi_1747_ = _e1161;
+                                                                        phi_1748_ = _e1158;
                                                                     }
-                                                                    let _e1159 = phi_1829_;
-                                                                    let _e1161 = phi_1830_;
-                                                                    if _e1161 {
-                                                                        phi_1834_ = true;
+                                                                    let _e1163 = phi_1747_;
+                                                                    let _e1165 = phi_1748_;
+                                                                    if _e1165 {
+                                                                        phi_1752_ = true;
                                                                     } else {
-                                                                        phi_1834_ = _e1159;
+                                                                        phi_1752_ = _e1163;
                                                                     }
-                                                                    let _e1163 = phi_1834_;
-                                                                    phi_1835_ = _e1163;
-                                                                    phi_1836_ = false;
+                                                                    let _e1167 = phi_1752_;
+                                                                    phi_1753_ = _e1167;
+                                                                    phi_1754_ = false;
                                                                 } else {
-                                                                    phi_1835_ = bool();
-                                                                    phi_1836_ = true;
+                                                                    phi_1753_ = bool();
+                                                                    phi_1754_ = true;
                                                                 }
-                                                                let _e1165 = phi_1835_;
-                                                                let _e1167 = phi_1836_;
-                                                                phi_1837_ = _e1165;
-                                                                phi_1838_ = false;
-                                                                phi_1839_ = _e1167;
+                                                                let _e1169 = phi_1753_;
+                                                                let _e1171 = phi_1754_;
+                                                                phi_1755_ = _e1169;
+                                                                phi_1756_ = false;
+                                                                phi_1757_ = _e1171;
                                                             } else {
-                                                                phi_1837_ = bool();
-                                                                phi_1838_ = true;
-                                                                phi_1839_ = false;
+                                                                phi_1755_ = bool();
+                                                                phi_1756_ = true;
+                                                                phi_1757_ = false;
                                                             }
-                                                            let _e1169 = phi_1837_;
-                                                            let _e1171 = phi_1838_;
-                                                            let _e1173 = phi_1839_;
-                                                            phi_1840_ = _e1169;
-                                                            phi_1841_ = _e1171;
-                                                            phi_1842_ = _e1173;
+                                                            let _e1173 = phi_1755_;
+                                                            let _e1175 = phi_1756_;
+                                                            let _e1177 = phi_1757_;
+                                                            phi_1758_ = _e1173;
+                                                            phi_1759_ = _e1175;
+                                                            phi_1760_ = _e1177;
                                                         } else {
-                                                            phi_1840_ = bool();
-                                                            phi_1841_ = true;
-                                                            phi_1842_ = false;
+                                                            phi_1758_ = bool();
+                                                            phi_1759_ = true;
+                                                            phi_1760_ = false;
                                                         }
-                                                        let _e1175 = phi_1840_;
-                                                        let _e1177 = phi_1841_;
-                                                        let _e1179 = phi_1842_;
-                                                        phi_1843_ = _e1175;
-                                                        phi_1844_ = _e1177;
-                                                        phi_1845_ = _e1179;
+                                                        let _e1179 = phi_1758_;
+                                                        let _e1181 = phi_1759_;
+                                                        let _e1183 = phi_1760_;
+                                                        phi_1761_ = _e1179;
+                                                        phi_1762_ = _e1181;
+                                                        phi_1763_ = _e1183;
                                                     } else {
-                                                        phi_1843_ = bool();
-                                                        phi_1844_ = true;
-                                                        phi_1845_ = false;
+                                                        phi_1761_ = bool();
+                                                        phi_1762_ = true;
+                                                        phi_1763_ = false;
                                                     }
-                                                    let _e1181 = phi_1843_;
-                                                    let _e1183 = phi_1844_;
-                                                    let _e1185 = phi_1845_;
-                                                    phi_1846_ = _e1181;
-                                                    phi_1847_ = _e1183;
-                                                    phi_1848_ = _e1185;
+                                                    let _e1185 = phi_1761_;
+                                                    let _e1187 = phi_1762_;
+                                                    let _e1189 = phi_1763_;
+                                                    phi_1764_ = _e1185;
+                                                    phi_1765_ = _e1187;
+                                                    phi_1766_ = _e1189;
                                                 } else {
-                                                    phi_1846_ = bool();
-                                                    phi_1847_ = true;
-                                                    phi_1848_ = false;
+                                                    phi_1764_ = bool();
+                                                    phi_1765_ = true;
+                                                    phi_1766_ = false;
                                                 }
-                                                let _e1187 = phi_1846_;
-                                                let _e1189 = phi_1847_;
-                                                let _e1191 = phi_1848_;
-                                                phi_1849_ = _e1187;
-                                                phi_1850_ = _e1189;
-                                                phi_1851_ = _e1191;
+                                                let _e1191 = phi_1764_;
+                                                let _e1193 = phi_1765_;
+                                                let _e1195 = phi_1766_;
+                                                phi_1767_ = _e1191;
+                                                phi_1768_ = _e1193;
+                                                phi_1769_ = _e1195;
                                             } else {
-                                                phi_1849_ = bool();
-                                                phi_1850_ = true;
-                                                phi_1851_ = false;
+                                                phi_1767_ = bool();
+                                                phi_1768_ = true;
+                                                phi_1769_ = false;
                                             }
-                                            let _e1193 = phi_1849_;
-                                            let _e1195 = phi_1850_;
-                                            let _e1197 = phi_1851_;
-                                            if _e1195 {
-                                                phi_1855_ = true;
-                                            } else {
-                                                phi_1855_ = _e1197;
-                                            }
-                                            let _e1199 = phi_1855_;
+                                            let _e1197 = phi_1767_;
+                                            let _e1199 = phi_1768_;
+                                            let _e1201 = phi_1769_;
                                             if _e1199 {
-                                                phi_1859_ = false;
+                                                phi_1773_ = true;
                                             } else {
-                                                phi_1859_ = _e1193;
+                                                phi_1773_ = _e1201;
                                             }
-                                            let _e1201 = phi_1859_;
-                                            if _e1201 {
-                                                let _e1202 = (_e1138 >= _e73);
-                                                if _e1202 {
-                                                    phi_3336_ = lt_bvh_Hit();
+                                            let _e1203 = phi_1773_;
+                                            if _e1203 {
+                                                phi_1777_ = false;
+                                            } else {
+                                                phi_1777_ = _e1197;
+                                            }
+                                            let _e1205 = phi_1777_;
+                                            if _e1205 {
+                                                let _e1206 = (_e1142 >= _e76);
+                                                if _e1206 {
+                                                    phi_3284_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1138 < _e73) {
+                                                    if (_e1142 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1208 = nodes.member[(0u + _e1138)].frame[0u];
-                                                    let _e1212 = nodes.member[(0u + _e1138)].frame[1u];
-                                                    let _e1216 = nodes.member[(0u + _e1138)].frame[2u];
-                                                    let _e1220 = nodes.member[(0u + _e1138)].frame[0u];
-                                                    let _e1224 = nodes.member[(0u + _e1138)].frame[1u];
-                                                    let _e1228 = nodes.member[(0u + _e1138)].frame[2u];
-                                                    let _e1232 = nodes.member[(0u + _e1138)].frame[3u];
-                                                    let _e1266 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1108), abs(_e1121));
-                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1266, abs(_e1134));
-                                                    let _e1268 = (_e1267 * 0.0000000000009094947f);
-                                                    if (abs(_e1108) < _e1268) {
-                                                        phi_1929_ = _e1268;
+                                                    let _e1212 = nodes.member[(0u + _e1142)].frame[0u];
+                                                    let _e1216 = nodes.member[(0u + _e1142)].frame[1u];
+                                                    let _e1220 = nodes.member[(0u + _e1142)].frame[2u];
+                                                    let _e1224 = nodes.member[(0u + _e1142)].frame[0u];
+                                                    let _e1228 = nodes.member[(0u + _e1142)].frame[1u];
+                                                    let _e1232 = nodes.member[(0u + _e1142)].frame[2u];
+                                                    let _e1236 = nodes.member[(0u + _e1142)].frame[3u];
+                                                    let _e1270 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1111), abs(_e1124));
+                                                    let _e1271 = core_intrinsics_maximum_number_nsz_f32_(_e1270, abs(_e1137));
+                                                    let _e1272 = (_e1271 * 0.0000000000009094947f);
+                                                    if (abs(_e1111) < _e1272) {
+                                                        phi_1847_ = _e1272;
                                                     } else {
-                                                        phi_1929_ = abs(_e1108);
+                                                        phi_1847_ = abs(_e1111);
                                                     }
-                                                    let _e1273 = phi_1929_;
-                                                    if (_e1108 < 0f) {
-                                                        phi_1936_ = (-1f / _e1273);
+                                                    let _e1277 = phi_1847_;
+                                                    if (_e1111 < 0f) {
+                                                        phi_1854_ = (-1f / _e1277);
                                                     } else {
-                                                        phi_1936_ = (1f / _e1273);
+                                                        phi_1854_ = (1f / _e1277);
                                                     }
-                                                    let _e1278 = phi_1936_;
-                                                    if (abs(_e1121) < _e1268) {
-                                                        phi_1943_ = _e1268;
+                                                    let _e1282 = phi_1854_;
+                                                    if (abs(_e1124) < _e1272) {
+                                                        phi_1861_ = _e1272;
                                                     } else {
-                                                        phi_1943_ = abs(_e1121);
+                                                        phi_1861_ = abs(_e1124);
                                                     }
-                                                    let _e1283 = phi_1943_;
-                                                    if (_e1121 < 0f) {
-                                                        phi_1950_ = (-1f / _e1283);
+                                                    let _e1287 = phi_1861_;
+                                                    if (_e1124 < 0f) {
+                                                        phi_1868_ = (-1f / _e1287);
                                                     } else {
-                                                        phi_1950_ = (1f / _e1283);
+                                                        phi_1868_ = (1f / _e1287);
                                                     }
-                                                    let _e1288 = phi_1950_;
-                                                    if (abs(_e1134) < _e1268) {
-                                                        phi_1957_ = _e1268;
+                                                    let _e1292 = phi_1868_;
+                                                    if (abs(_e1137) < _e1272) {
+                                                        phi_1875_ = _e1272;
                                                     } else {
-                                                        phi_1957_ = abs(_e1134);
+                                                        phi_1875_ = abs(_e1137);
                                                     }
-                                                    let _e1293 = phi_1957_;
-                                                    if (_e1134 < 0f) {
-                                                        phi_1964_ = (-1f / _e1293);
+                                                    let _e1297 = phi_1875_;
+                                                    if (_e1137 < 0f) {
+                                                        phi_1882_ = (-1f / _e1297);
                                                     } else {
-                                                        phi_1964_ = (1f / _e1293);
+                                                        phi_1882_ = (1f / _e1297);
                                                     }
-                                                    let _e1298 = phi_1964_;
-                                                    let _e1302 = abs((bitcast<f32>(_e1208) - _e1064));
-                                                    let _e1303 = abs((bitcast<f32>(_e1212) - _e1077));
-                                                    let _e1304 = abs((bitcast<f32>(_e1216) - _e1090));
-                                                    let _e1308 = abs(((bitcast<f32>(_e1220) + (bitcast<f32>((((_e1232 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1064));
-                                                    let _e1309 = abs(((bitcast<f32>(_e1224) + (bitcast<f32>((((_e1232 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1077));
-                                                    let _e1310 = abs(((bitcast<f32>(_e1228) + (bitcast<f32>((((_e1232 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1090));
-                                                    if (_e1302 > _e1308) {
-                                                        phi_1981_ = _e1302;
+                                                    let _e1302 = phi_1882_;
+                                                    let _e1306 = abs((bitcast<f32>(_e1212) - _e1067));
+                                                    let _e1307 = abs((bitcast<f32>(_e1216) - _e1080));
+                                                    let _e1308 = abs((bitcast<f32>(_e1220) - _e1093));
+                                                    let _e1312 = abs(((bitcast<f32>(_e1224) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1067));
+                                                    let _e1313 = abs(((bitcast<f32>(_e1228) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1080));
+                                                    let _e1314 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1093));
+                                                    if (_e1306 > _e1312) {
+                                                        phi_1899_ = _e1306;
                                                     } else {
-                                                        phi_1981_ = _e1308;
+                                                        phi_1899_ = _e1312;
                                                     }
-                                                    let _e1313 = phi_1981_;
-                                                    if (_e1303 > _e1309) {
-                                                        phi_1986_ = _e1303;
+                                                    let _e1317 = phi_1899_;
+                                                    if (_e1307 > _e1313) {
+                                                        phi_1904_ = _e1307;
                                                     } else {
-                                                        phi_1986_ = _e1309;
+                                                        phi_1904_ = _e1313;
                                                     }
-                                                    let _e1316 = phi_1986_;
-                                                    if (_e1304 > _e1310) {
-                                                        phi_1991_ = _e1304;
+                                                    let _e1320 = phi_1904_;
+                                                    if (_e1308 > _e1314) {
+                                                        phi_1909_ = _e1308;
                                                     } else {
-                                                        phi_1991_ = _e1310;
+                                                        phi_1909_ = _e1314;
                                                     }
-                                                    let _e1319 = phi_1991_;
-                                                    let _e1320 = core_intrinsics_maximum_number_nsz_f32_(_e1313, _e1316);
-                                                    let _e1321 = core_intrinsics_maximum_number_nsz_f32_(_e1320, _e1319);
-                                                    let _e1325 = (_e1321 * 0.0000019073486f);
-                                                    let _e1326 = (abs(_e1278) * _e1325);
-                                                    let _e1327 = (abs(_e1288) * _e1325);
-                                                    let _e1328 = (abs(_e1298) * _e1325);
-                                                    let _e1332 = (_e1321 * 0.0000009536743f);
-                                                    let _e1333 = (abs(_e1278) * _e1332);
-                                                    let _e1334 = (abs(_e1288) * _e1332);
-                                                    let _e1335 = (abs(_e1298) * _e1332);
-                                                    let _e1336 = abs(_e1108);
-                                                    let _e1337 = abs(_e1121);
-                                                    let _e1338 = abs(_e1134);
-                                                    if (_e1336 >= _e1337) {
-                                                        if (_e1336 >= _e1338) {
-                                                            phi_2019_ = false;
+                                                    let _e1323 = phi_1909_;
+                                                    let _e1324 = core_intrinsics_maximum_number_nsz_f32_(_e1317, _e1320);
+                                                    let _e1325 = core_intrinsics_maximum_number_nsz_f32_(_e1324, _e1323);
+                                                    let _e1329 = (_e1325 * 0.0000019073486f);
+                                                    let _e1330 = (abs(_e1282) * _e1329);
+                                                    let _e1331 = (abs(_e1292) * _e1329);
+                                                    let _e1332 = (abs(_e1302) * _e1329);
+                                                    let _e1336 = (_e1325 * 0.0000009536743f);
+                                                    let _e1337 = (abs(_e1282) * _e1336);
+                                                    let _e1338 = (abs(_e1292) * _e1336);
+                                                    let _e1339 = (abs(_e1302) * _e1336);
+                                                    let _e1340 = abs(_e1111);
+                                                    let _e1341 = abs(_e1124);
+                                                    let _e1342 = abs(_e1137);
+                                                    if (_e1340 >= _e1341) {
+                                                        if (_e1340 >= _e1342) {
+                                                            phi_1937_ = false;
                                                         } else {
-                                                            phi_2019_ = true;
+                                                            phi_1937_ = true;
                                                         }
-                                                        let _e1342 = phi_2019_;
-                                                        phi_2020_ = _e1342;
+                                                        let _e1346 = phi_1937_;
+                                                        phi_1938_ = _e1346;
                                                     } else {
-                                                        phi_2020_ = true;
+                                                        phi_1938_ = true;
                                                     }
-                                                    let _e1344 = phi_2020_;
-                                                    if _e1344 {
-                                                        if (_e1337 >= _e1338) {
-                                                            phi_2028_ = 1u;
+                                                    let _e1348 = phi_1938_;
+                                                    if _e1348 {
+                                                        if (_e1341 >= _e1342) {
+                                                            phi_1946_ = 1u;
                                                         } else {
-                                                            phi_2028_ = 2u;
+                                                            phi_1946_ = 2u;
                                                         }
-                                                        let _e1347 = phi_2028_;
-                                                        phi_2029_ = _e1347;
+                                                        let _e1351 = phi_1946_;
+                                                        phi_1947_ = _e1351;
                                                     } else {
-                                                        phi_2029_ = 0u;
+                                                        phi_1947_ = 0u;
                                                     }
-                                                    let _e1349 = phi_2029_;
-                                                    if (_e1349 == 0u) {
-                                                        phi_2041_ = vec3<f32>(_e1121, _e1134, _e1108);
+                                                    let _e1353 = phi_1947_;
+                                                    if (_e1353 == 0u) {
+                                                        phi_1959_ = vec3<f32>(_e1124, _e1137, _e1111);
                                                     } else {
-                                                        if (_e1349 == 1u) {
-                                                            phi_2040_ = vec3<f32>(_e1134, _e1108, _e1121);
+                                                        if (_e1353 == 1u) {
+                                                            phi_1958_ = vec3<f32>(_e1137, _e1111, _e1124);
                                                         } else {
-                                                            phi_2040_ = vec3<f32>(_e1108, _e1121, _e1134);
+                                                            phi_1958_ = vec3<f32>(_e1111, _e1124, _e1137);
                                                         }
-                                                        let _e1355 = phi_2040_;
-                                                        phi_2041_ = _e1355;
+                                                        let _e1359 = phi_1958_;
+                                                        phi_1959_ = _e1359;
                                                     }
-                                                    let _e1357 = phi_2041_;
-                                                    let _e1360 = (_e1357.x / _e1357.z);
-                                                    let _e1363 = (_e1357.y / _e1357.z);
-                                                    let _e1365 = (1f / _e1357.z);
-                                                    if (_e1278 < 0f) {
-                                                        phi_2054_ = 0u;
+                                                    let _e1361 = phi_1959_;
+                                                    let _e1364 = (_e1361.x / _e1361.z);
+                                                    let _e1367 = (_e1361.y / _e1361.z);
+                                                    let _e1369 = (1f / _e1361.z);
+                                                    if (_e1282 < 0f) {
+                                                        phi_1972_ = 0u;
                                                     } else {
-                                                        phi_2054_ = 1u;
+                                                        phi_1972_ = 1u;
                                                     }
-                                                    let _e1368 = phi_2054_;
-                                                    if (_e1288 < 0f) {
-                                                        phi_2059_ = 0u;
+                                                    let _e1372 = phi_1972_;
+                                                    if (_e1292 < 0f) {
+                                                        phi_1977_ = 0u;
                                                     } else {
-                                                        phi_2059_ = 2u;
+                                                        phi_1977_ = 2u;
                                                     }
-                                                    let _e1371 = phi_2059_;
-                                                    if (_e1298 < 0f) {
-                                                        phi_2064_ = 0u;
+                                                    let _e1375 = phi_1977_;
+                                                    if (_e1302 < 0f) {
+                                                        phi_1982_ = 0u;
                                                     } else {
-                                                        phi_2064_ = 4u;
+                                                        phi_1982_ = 4u;
                                                     }
-                                                    let _e1374 = phi_2064_;
-                                                    let _e1376 = ((_e1368 | _e1371) | _e1374);
-                                                    let _e1377 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1138, 2147483648u);
-                                                    local_4 = lt_bvh_traverse_Stack(array<u32, 32>(_e1377.first[0], _e1377.first[1], _e1377.first[2], _e1377.first[3], _e1377.first[4], _e1377.first[5], _e1377.first[6], _e1377.first[7], _e1377.first[8], _e1377.first[9], _e1377.first[10], _e1377.first[11], _e1377.first[12], _e1377.first[13], _e1377.first[14], _e1377.first[15], _e1377.first[16], _e1377.first[17], _e1377.first[18], _e1377.first[19], _e1377.first[20], _e1377.first[21], _e1377.first[22], _e1377.first[23], _e1377.first[24], _e1377.first[25], _e1377.first[26], _e1377.first[27], _e1377.first[28], _e1377.first[29], _e1377.first[30], _e1377.first[31]), array<u32, 32>(_e1377.mask[0], _e1377.mask[1], _e1377.mask[2], _e1377.mask[3], _e1377.mask[4], _e1377.mask[5], _e1377.mask[6], _e1377.mask[7], _e1377.mask[8], _e1377.mask[9], _e1377.mask[10], _e1377.mask[11], _e1377.mask[12], _e1377.mask[13], _e1377.mask[14], _e1377.mask[15], _e1377.mask[16], _e1377.mask[17], _e1377.mask[18], _e1377.mask[19], _e1377.mask[20], _e1377.mask[21], _e1377.mask[22], _e1377.mask[23], _e1377.mask[24], _e1377.mask[25], _e1377.mask[26], _e1377.mask[27], _e1377.mask[28], _e1377.mask[29], _e1377.mask[30], _e1377.mask[31]), _e1377.len, _e1377.group, _e1377.group_mask);
-                                                    let _e1451 = local_4.group_mask;
-                                                    if ((_e1451 & 4278190080u) == 0u) {
-                                                        let _e1455 = local_4.len;
-                                                        if (_e1455 == 0u) {
-                                                            phi_2178_ = false;
+                                                    let _e1378 = phi_1982_;
+                                                    let _e1380 = ((_e1372 | _e1375) | _e1378);
+                                                    let _e1381 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1142, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1381.first[0], _e1381.first[1], _e1381.first[2], _e1381.first[3], _e1381.first[4], _e1381.first[5], _e1381.first[6], _e1381.first[7], _e1381.first[8], _e1381.first[9], _e1381.first[10], _e1381.first[11], _e1381.first[12], _e1381.first[13], _e1381.first[14], _e1381.first[15], _e1381.first[16], _e1381.first[17], _e1381.first[18], _e1381.first[19], _e1381.first[20], _e1381.first[21], _e1381.first[22], _e1381.first[23], _e1381.first[24], _e1381.first[25], _e1381.first[26], _e1381.first[27], _e1381.first[28], _e1381.first[29], _e1381.first[30], _e1381.first[31]), array<u32, 32>(_e1381.mask[0], _e1381.mask[1], _e1381.mask[2], _e1381.mask[3], _e1381.mask[4], _e1381.mask[5], _e1381.mask[6], _e1381.mask[7], _e1381.mask[8], _e1381.mask[9], _e1381.mask[10], _e1381.mask[11], _e1381.mask[12], _e1381.mask[13], _e1381.mask[14], _e1381.mask[15], _e1381.mask[16], _e1381.mask[17], _e1381.mask[18], _e1381.mask[19], _e1381.mask[20], _e1381.mask[21], _e1381.mask[22], _e1381.mask[23], _e1381.mask[24], _e1381.mask[25], _e1381.mask[26], _e1381.mask[27], _e1381.mask[28], _e1381.mask[29], _e1381.mask[30], _e1381.mask[31]), _e1381.len, _e1381.group, _e1381.group_mask);
+                                                    let _e1455 = local_1.group_mask;
+                                                    if ((_e1455 & 4278190080u) == 0u) {
+                                                        let _e1459 = local_1.len;
+                                                        if (_e1459 == 0u) {
+                                                            phi_2096_ = false;
                                                         } else {
-                                                            let _e1459 = local_4.len;
-                                                            local_4.len = (_e1459 - 1u);
-                                                            let _e1462 = local_4.len;
-                                                            if (_e1462 < 32u) {
+                                                            let _e1463 = local_1.len;
+                                                            local_1.len = (_e1463 - 1u);
+                                                            let _e1466 = local_1.len;
+                                                            if (_e1466 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1467 = local_4.first[(0u + _e1462)];
-                                                            local_4.group = _e1467;
-                                                            let _e1470 = local_4.len;
-                                                            if (_e1470 < 32u) {
+                                                            let _e1471 = local_1.first[(0u + _e1466)];
+                                                            local_1.group = _e1471;
+                                                            let _e1474 = local_1.len;
+                                                            if (_e1474 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1475 = local_4.mask[(0u + _e1470)];
-                                                            local_4.group_mask = _e1475;
-                                                            phi_2178_ = true;
+                                                            let _e1479 = local_1.mask[(0u + _e1474)];
+                                                            local_1.group_mask = _e1479;
+                                                            phi_2096_ = true;
                                                         }
-                                                        let _e1478 = phi_2178_;
-                                                        phi_2179_ = _e1478;
+                                                        let _e1482 = phi_2096_;
+                                                        phi_2097_ = _e1482;
                                                     } else {
-                                                        phi_2179_ = true;
+                                                        phi_2097_ = true;
                                                     }
-                                                    let _e1480 = phi_2179_;
-                                                    if _e1480 {
-                                                        let _e1482 = local_4.group_mask;
-                                                        let _e1488 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1482)), 32u, (_e1482 == 0u)));
-                                                        let _e1492 = local_4.group_mask;
-                                                        let _e1506 = local_4.group_mask;
-                                                        local_4.group_mask = (_e1506 & ~((1u << bitcast<u32>((_e1488 & 31u)))));
-                                                        let _e1509 = local_4.group;
-                                                        phi_2210_ = (_e1509 + countOneBits(((_e1492 & ~((4294967295u << bitcast<u32>((((_e1488 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1484 = phi_2097_;
+                                                    if _e1484 {
+                                                        let _e1486 = local_1.group_mask;
+                                                        let _e1492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1486)), 32u, (_e1486 == 0u)));
+                                                        let _e1496 = local_1.group_mask;
+                                                        let _e1510 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1510 & ~((1u << bitcast<u32>((_e1492 & 31u)))));
+                                                        let _e1513 = local_1.group;
+                                                        phi_2128_ = (_e1513 + countOneBits(((_e1496 & ~((4294967295u << bitcast<u32>((((_e1492 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2210_ = 4294967295u;
+                                                        phi_2128_ = 4294967295u;
                                                     }
-                                                    let _e1512 = phi_2210_;
-                                                    phi_2212_ = _e972;
-                                                    phi_2215_ = _e1512;
+                                                    let _e1516 = phi_2128_;
+                                                    phi_2130_ = _e975;
+                                                    phi_2133_ = _e1516;
                                                     loop {
-                                                        let _e1514 = phi_2212_;
-                                                        let _e1516 = phi_2215_;
-                                                        local_13 = _e1514;
-                                                        let _e1517 = (_e1516 != 4294967295u);
-                                                        if _e1517 {
-                                                            if (_e1516 < _e73) {
+                                                        let _e1518 = phi_2130_;
+                                                        let _e1520 = phi_2133_;
+                                                        local_10 = _e1518;
+                                                        let _e1521 = (_e1520 != 4294967295u);
+                                                        if _e1521 {
+                                                            if (_e1520 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1524 = nodes.member[(0u + _e1516)].frame[3u];
-                                                            let _e1549 = (bitcast<f32>((((_e1524 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1278);
-                                                            let _e1550 = (bitcast<f32>((((_e1524 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1288);
-                                                            let _e1551 = (bitcast<f32>((((_e1524 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1298);
-                                                            let _e1554 = nodes.member[(0u + _e1516)].frame[0u];
-                                                            let _e1558 = nodes.member[(0u + _e1516)].frame[1u];
-                                                            let _e1562 = nodes.member[(0u + _e1516)].frame[2u];
-                                                            let _e1567 = ((bitcast<f32>(_e1554) - _e1064) * _e1278);
-                                                            let _e1568 = ((bitcast<f32>(_e1558) - _e1077) * _e1288);
-                                                            let _e1569 = ((bitcast<f32>(_e1562) - _e1090) * _e1298);
-                                                            let _e1577 = nodes.member[(0u + _e1516)].x;
-                                                            if (_e1278 < 0f) {
-                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1577.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1588.unnamed.root, _e1577.w), _e1588.unnamed_1);
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1594.unnamed, lt_bvh_traverse_Tree(_e1577.x, _e1594.unnamed_1.first_primitive));
-                                                                phi_2296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1600.unnamed, lt_bvh_traverse_Tree(_e1600.unnamed_1.root, _e1577.y));
+                                                            let _e1528 = nodes.member[(0u + _e1520)].frame[3u];
+                                                            let _e1553 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1282);
+                                                            let _e1554 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1292);
+                                                            let _e1555 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1302);
+                                                            let _e1558 = nodes.member[(0u + _e1520)].frame[0u];
+                                                            let _e1562 = nodes.member[(0u + _e1520)].frame[1u];
+                                                            let _e1566 = nodes.member[(0u + _e1520)].frame[2u];
+                                                            let _e1571 = ((bitcast<f32>(_e1558) - _e1067) * _e1282);
+                                                            let _e1572 = ((bitcast<f32>(_e1562) - _e1080) * _e1292);
+                                                            let _e1573 = ((bitcast<f32>(_e1566) - _e1093) * _e1302);
+                                                            let _e1581 = nodes.member[(0u + _e1520)].x;
+                                                            if (_e1282 < 0f) {
+                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.unnamed.root, _e1581.w), _e1592.unnamed_1);
+                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1598.unnamed, lt_bvh_traverse_Tree(_e1581.x, _e1598.unnamed_1.first_primitive));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_bvh_traverse_Tree(_e1604.unnamed_1.root, _e1581.y));
                                                             } else {
-                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1577.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1616.unnamed.root, _e1577.y), _e1616.unnamed_1);
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1622.unnamed, lt_bvh_traverse_Tree(_e1577.z, _e1622.unnamed_1.first_primitive));
-                                                                phi_2296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1628.unnamed, lt_bvh_traverse_Tree(_e1628.unnamed_1.root, _e1577.w));
+                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1620.unnamed.root, _e1581.y), _e1620.unnamed_1);
+                                                                let _e1632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1626.unnamed, lt_bvh_traverse_Tree(_e1581.z, _e1626.unnamed_1.first_primitive));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1632.unnamed, lt_bvh_traverse_Tree(_e1632.unnamed_1.root, _e1581.w));
                                                             }
-                                                            let _e1636 = phi_2296_;
-                                                            let _e1646 = nodes.member[(0u + _e1516)].y;
-                                                            if (_e1288 < 0f) {
-                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1657.unnamed.root, _e1646.w), _e1657.unnamed_1);
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1663.unnamed, lt_bvh_traverse_Tree(_e1646.x, _e1663.unnamed_1.first_primitive));
-                                                                phi_2323_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_bvh_traverse_Tree(_e1669.unnamed_1.root, _e1646.y));
+                                                            let _e1640 = phi_2214_;
+                                                            let _e1650 = nodes.member[(0u + _e1520)].y;
+                                                            if (_e1292 < 0f) {
+                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.unnamed.root, _e1650.w), _e1661.unnamed_1);
+                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1667.unnamed, lt_bvh_traverse_Tree(_e1650.x, _e1667.unnamed_1.first_primitive));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1673.unnamed_1.root, _e1650.y));
                                                             } else {
-                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1685.unnamed.root, _e1646.y), _e1685.unnamed_1);
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1691.unnamed, lt_bvh_traverse_Tree(_e1646.z, _e1691.unnamed_1.first_primitive));
-                                                                phi_2323_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1697.unnamed, lt_bvh_traverse_Tree(_e1697.unnamed_1.root, _e1646.w));
+                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1689.unnamed.root, _e1650.y), _e1689.unnamed_1);
+                                                                let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1695.unnamed, lt_bvh_traverse_Tree(_e1650.z, _e1695.unnamed_1.first_primitive));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_bvh_traverse_Tree(_e1701.unnamed_1.root, _e1650.w));
                                                             }
-                                                            let _e1705 = phi_2323_;
-                                                            let _e1715 = nodes.member[(0u + _e1516)].z;
-                                                            if (_e1298 < 0f) {
-                                                                let _e1726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1726.unnamed.root, _e1715.w), _e1726.unnamed_1);
-                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1732.unnamed, lt_bvh_traverse_Tree(_e1715.x, _e1732.unnamed_1.first_primitive));
-                                                                phi_2350_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_bvh_traverse_Tree(_e1738.unnamed_1.root, _e1715.y));
+                                                            let _e1709 = phi_2241_;
+                                                            let _e1719 = nodes.member[(0u + _e1520)].z;
+                                                            if (_e1302 < 0f) {
+                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1730.unnamed.root, _e1719.w), _e1730.unnamed_1);
+                                                                let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1736.unnamed, lt_bvh_traverse_Tree(_e1719.x, _e1736.unnamed_1.first_primitive));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_bvh_traverse_Tree(_e1742.unnamed_1.root, _e1719.y));
                                                             } else {
-                                                                let _e1754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1754.unnamed.root, _e1715.y), _e1754.unnamed_1);
-                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1760.unnamed, lt_bvh_traverse_Tree(_e1715.z, _e1760.unnamed_1.first_primitive));
-                                                                phi_2350_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1766.unnamed, lt_bvh_traverse_Tree(_e1766.unnamed_1.root, _e1715.w));
+                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1758.unnamed.root, _e1719.y), _e1758.unnamed_1);
+                                                                let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1764.unnamed, lt_bvh_traverse_Tree(_e1719.z, _e1764.unnamed_1.first_primitive));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_bvh_traverse_Tree(_e1770.unnamed_1.root, _e1719.w));
                                                             }
-                                                            let _e1774 = phi_2350_;
-                                                            phi_2356_ = 0u;
-                                                            phi_2359_ = 0u;
+                                                            let _e1778 = phi_2268_;
+                                                            phi_2274_ = 0u;
+                                                            phi_2277_ = 0u;
                                                             loop {
-                                                                let _e1784 = phi_2356_;
-                                                                let _e1786 = phi_2359_;
-                                                                local_9 = _e1786;
-                                                                local_10 = _e1786;
-                                                                local_11 = _e1786;
-                                                                let _e1787 = (_e1784 < 8u);
-                                                                if _e1787 {
-                                                                    let _e1789 = (_e1784 >> bitcast<u32>(2i));
-                                                                    let _e1790 = (_e1784 & 3u);
-                                                                    if (_e1789 == 0u) {
-                                                                        phi_2373_ = _e1636.unnamed.root;
+                                                                let _e1788 = phi_2274_;
+                                                                let _e1790 = phi_2277_;
+                                                                local_6 = _e1790;
+                                                                local_7 = _e1790;
+                                                                local_8 = _e1790;
+                                                                let _e1791 = (_e1788 < 8u);
+                                                                if _e1791 {
+                                                                    let _e1793 = (_e1788 >> bitcast<u32>(2i));
+                                                                    let _e1794 = (_e1788 & 3u);
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2291_ = _e1640.unnamed.root;
                                                                     } else {
-                                                                        phi_2373_ = _e1636.unnamed.first_primitive;
+                                                                        phi_2291_ = _e1640.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1793 = phi_2373_;
-                                                                    if (_e1789 == 0u) {
-                                                                        phi_2383_ = _e1705.unnamed.root;
+                                                                    let _e1797 = phi_2291_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2301_ = _e1709.unnamed.root;
                                                                     } else {
-                                                                        phi_2383_ = _e1705.unnamed.first_primitive;
+                                                                        phi_2301_ = _e1709.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1802 = phi_2383_;
-                                                                    if (_e1789 == 0u) {
-                                                                        phi_2393_ = _e1774.unnamed.root;
+                                                                    let _e1806 = phi_2301_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2311_ = _e1778.unnamed.root;
                                                                     } else {
-                                                                        phi_2393_ = _e1774.unnamed.first_primitive;
+                                                                        phi_2311_ = _e1778.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1811 = phi_2393_;
-                                                                    let _e1824 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1793 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 - _e1326)), ((f32(((_e1802 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 - _e1327)));
-                                                                    let _e1825 = core_intrinsics_maximum_number_nsz_f32_(_e1824, ((f32(((_e1811 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1551) + (_e1569 - _e1328)));
-                                                                    if (_e1789 == 0u) {
-                                                                        phi_2411_ = _e1636.unnamed_1.root;
+                                                                    let _e1815 = phi_2311_;
+                                                                    let _e1828 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1797 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 - _e1330)), ((f32(((_e1806 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 - _e1331)));
+                                                                    let _e1829 = core_intrinsics_maximum_number_nsz_f32_(_e1828, ((f32(((_e1815 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)));
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2329_ = _e1640.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2411_ = _e1636.unnamed_1.first_primitive;
+                                                                        phi_2329_ = _e1640.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1828 = phi_2411_;
-                                                                    if (_e1789 == 0u) {
-                                                                        phi_2421_ = _e1705.unnamed_1.root;
+                                                                    let _e1832 = phi_2329_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2339_ = _e1709.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2421_ = _e1705.unnamed_1.first_primitive;
+                                                                        phi_2339_ = _e1709.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1837 = phi_2421_;
-                                                                    if (_e1789 == 0u) {
-                                                                        phi_2431_ = _e1774.unnamed_1.root;
+                                                                    let _e1841 = phi_2339_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2349_ = _e1778.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2431_ = _e1774.unnamed_1.first_primitive;
+                                                                        phi_2349_ = _e1778.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1846 = phi_2431_;
-                                                                    let _e1859 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1828 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 + _e1326)), ((f32(((_e1837 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 + _e1327)));
-                                                                    let _e1860 = core_intrinsics_minimum_number_nsz_f32_(_e1859, ((f32(((_e1846 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1551) + (_e1569 + _e1328)));
-                                                                    if (_e1825 <= _e1860) {
-                                                                        if (_e1825 <= _e1514.t) {
-                                                                            if (_e1860 >= _e154.tmin) {
-                                                                                if (_e1789 == 0u) {
-                                                                                    let _e1867 = nodes.member[(0u + _e1516)].links[2u];
-                                                                                    phi_2467_ = _e1867;
+                                                                    let _e1850 = phi_2349_;
+                                                                    let _e1863 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1832 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 + _e1330)), ((f32(((_e1841 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 + _e1331)));
+                                                                    let _e1864 = core_intrinsics_minimum_number_nsz_f32_(_e1863, ((f32(((_e1850 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1332)));
+                                                                    if (_e1829 <= _e1864) {
+                                                                        if (_e1829 <= _e1518.t) {
+                                                                            if (_e1864 >= _e157.tmin) {
+                                                                                if (_e1793 == 0u) {
+                                                                                    let _e1871 = nodes.member[(0u + _e1520)].links[2u];
+                                                                                    phi_2385_ = _e1871;
                                                                                 } else {
-                                                                                    let _e1870 = nodes.member[(0u + _e1516)].links[3u];
-                                                                                    phi_2467_ = _e1870;
+                                                                                    let _e1874 = nodes.member[(0u + _e1520)].links[3u];
+                                                                                    phi_2385_ = _e1874;
                                                                                 }
-                                                                                let _e1872 = phi_2467_;
-                                                                                let _e1877 = ((_e1872 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u);
-                                                                                let _e1878 = (_e1877 & 31u);
-                                                                                if (_e1878 >= 24u) {
-                                                                                    phi_2480_ = (24u + ((_e1878 - 24u) ^ _e1376));
+                                                                                let _e1876 = phi_2385_;
+                                                                                let _e1881 = ((_e1876 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u);
+                                                                                let _e1882 = (_e1881 & 31u);
+                                                                                if (_e1882 >= 24u) {
+                                                                                    phi_2398_ = (24u + ((_e1882 - 24u) ^ _e1380));
                                                                                 } else {
-                                                                                    phi_2480_ = _e1878;
+                                                                                    phi_2398_ = _e1882;
                                                                                 }
-                                                                                let _e1884 = phi_2480_;
-                                                                                phi_2485_ = (_e1786 | ((_e1877 >> bitcast<u32>(5i)) << bitcast<u32>((_e1884 & 31u))));
+                                                                                let _e1888 = phi_2398_;
+                                                                                phi_2403_ = (_e1790 | ((_e1881 >> bitcast<u32>(5i)) << bitcast<u32>((_e1888 & 31u))));
                                                                             } else {
-                                                                                phi_2485_ = _e1786;
+                                                                                phi_2403_ = _e1790;
                                                                             }
-                                                                            let _e1892 = phi_2485_;
-                                                                            phi_2486_ = _e1892;
+                                                                            let _e1896 = phi_2403_;
+                                                                            phi_2404_ = _e1896;
                                                                         } else {
-                                                                            phi_2486_ = _e1786;
+                                                                            phi_2404_ = _e1790;
                                                                         }
-                                                                        let _e1894 = phi_2486_;
-                                                                        phi_2487_ = _e1894;
+                                                                        let _e1898 = phi_2404_;
+                                                                        phi_2405_ = _e1898;
                                                                     } else {
-                                                                        phi_2487_ = _e1786;
+                                                                        phi_2405_ = _e1790;
                                                                     }
-                                                                    let _e1896 = phi_2487_;
-                                                                    phi_2357_ = (_e1784 + 1u);
-                                                                    phi_2360_ = _e1896;
+                                                                    let _e1900 = phi_2405_;
+                                                                    phi_2275_ = (_e1788 + 1u);
+                                                                    phi_2278_ = _e1900;
                                                                 } else {
-                                                                    phi_2357_ = u32();
-                                                                    phi_2360_ = u32();
+                                                                    phi_2275_ = u32();
+                                                                    phi_2278_ = u32();
                                                                 }
-                                                                let _e1899 = phi_2357_;
-                                                                let _e1901 = phi_2360_;
+                                                                let _e1903 = phi_2275_;
+                                                                let _e1905 = phi_2278_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2356_ = _e1899;
-                                                                    phi_2359_ = _e1901;
-                                                                    break if !(_e1787);
+                                                                    phi_2274_ = _e1903;
+                                                                    phi_2277_ = _e1905;
+                                                                    break if !(_e1791);
                                                                 }
                                                             }
-                                                            let _e1905 = nodes.member[(0u + _e1516)].links[0u];
-                                                            let _e1909 = nodes.member[(0u + _e1516)].frame[3u];
-                                                            let _e1913 = local_9;
-                                                            if ((_e1913 & 4278190080u) == 0u) {
+                                                            let _e1909 = nodes.member[(0u + _e1520)].links[0u];
+                                                            let _e1913 = nodes.member[(0u + _e1520)].frame[3u];
+                                                            let _e1917 = local_6;
+                                                            if ((_e1917 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1917 = local_4.group_mask;
-                                                                if ((_e1917 & 4278190080u) == 0u) {
+                                                                let _e1921 = local_1.group_mask;
+                                                                if ((_e1921 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1921 = local_4.len;
-                                                                    if (_e1921 < 32u) {
-                                                                        let _e1924 = local_4.group;
-                                                                        let _e1926 = local_4.len;
-                                                                        if (_e1926 < 32u) {
+                                                                    let _e1925 = local_1.len;
+                                                                    if (_e1925 < 32u) {
+                                                                        let _e1928 = local_1.group;
+                                                                        let _e1930 = local_1.len;
+                                                                        if (_e1930 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_4.first[(0u + _e1926)] = _e1924;
-                                                                        let _e1932 = local_4.group_mask;
-                                                                        let _e1934 = local_4.len;
-                                                                        if (_e1934 < 32u) {
+                                                                        local_1.first[(0u + _e1930)] = _e1928;
+                                                                        let _e1936 = local_1.group_mask;
+                                                                        let _e1938 = local_1.len;
+                                                                        if (_e1938 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_4.mask[(0u + _e1934)] = _e1932;
-                                                                        let _e1941 = local_4.len;
-                                                                        local_4.len = (_e1941 + 1u);
+                                                                        local_1.mask[(0u + _e1938)] = _e1936;
+                                                                        let _e1945 = local_1.len;
+                                                                        local_1.len = (_e1945 + 1u);
                                                                     }
                                                                 }
-                                                                local_4.group = (_e1138 + _e1905);
-                                                                let _e1945 = local_10;
-                                                                local_4.group_mask = ((_e1945 & 4278190080u) | (_e1909 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1142 + _e1909);
+                                                                let _e1949 = local_7;
+                                                                local_1.group_mask = ((_e1949 & 4278190080u) | (_e1913 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1950 = local_11;
-                                                            phi_2545_ = _e1514;
-                                                            phi_2548_ = (_e1950 & 16777215u);
+                                                            let _e1954 = local_8;
+                                                            phi_2463_ = _e1518;
+                                                            phi_2466_ = (_e1954 & 16777215u);
                                                             loop {
-                                                                let _e1953 = phi_2545_;
-                                                                let _e1955 = phi_2548_;
-                                                                local_12 = _e1953;
-                                                                if (_e1955 == 0u) {
-                                                                    phi_2546_ = lt_bvh_Hit();
-                                                                    phi_2549_ = u32();
-                                                                    phi_3264_ = false;
+                                                                let _e1957 = phi_2463_;
+                                                                let _e1959 = phi_2466_;
+                                                                local_9 = _e1957;
+                                                                if (_e1959 == 0u) {
+                                                                    phi_2464_ = lt_bvh_Hit();
+                                                                    phi_2467_ = u32();
+                                                                    phi_3212_ = false;
                                                                 } else {
-                                                                    let _e1959 = nodes.member[(0u + _e1516)].links[1u];
-                                                                    let _e1964 = ((_e1140 + _e1959) + select(firstTrailingBit(_e1955), 32u, (_e1955 == 0u)));
-                                                                    if (_e1964 < _e76) {
+                                                                    let _e1963 = nodes.member[(0u + _e1520)].links[1u];
+                                                                    let _e1968 = ((_e1144 + _e1963) + select(firstTrailingBit(_e1959), 32u, (_e1959 == 0u)));
+                                                                    if (_e1968 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1971 = triangles.member[(0u + _e1964)].v0_;
-                                                                    let _e1973 = (_e1971.x - _e1064);
-                                                                    let _e1975 = (_e1971.y - _e1077);
-                                                                    let _e1977 = (_e1971.z - _e1090);
-                                                                    if (_e1349 == 0u) {
-                                                                        phi_2593_ = vec3<f32>(_e1975, _e1977, _e1973);
+                                                                    let _e1975 = triangles.member[(0u + _e1968)].v0_;
+                                                                    let _e1977 = (_e1975.x - _e1067);
+                                                                    let _e1979 = (_e1975.y - _e1080);
+                                                                    let _e1981 = (_e1975.z - _e1093);
+                                                                    if (_e1353 == 0u) {
+                                                                        phi_2511_ = vec3<f32>(_e1979, _e1981, _e1977);
                                                                     } else {
-                                                                        if (_e1349 == 1u) {
-                                                                            phi_2592_ = vec3<f32>(_e1977, _e1973, _e1975);
+                                                                        if (_e1353 == 1u) {
+                                                                            phi_2510_ = vec3<f32>(_e1981, _e1977, _e1979);
                                                                         } else {
-                                                                            phi_2592_ = (_e1971 - vec3<f32>(_e1064, _e1077, _e1090));
+                                                                            phi_2510_ = (_e1975 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e1985 = phi_2592_;
-                                                                        phi_2593_ = _e1985;
+                                                                        let _e1989 = phi_2510_;
+                                                                        phi_2511_ = _e1989;
                                                                     }
-                                                                    let _e1987 = phi_2593_;
-                                                                    let _e1991 = (_e1987.x - (_e1360 * _e1987.z));
-                                                                    let _e1995 = (_e1987.y - (_e1363 * _e1987.z));
-                                                                    let _e1999 = triangles.member[(0u + _e1964)].v1_;
-                                                                    let _e2001 = (_e1999.x - _e1064);
-                                                                    let _e2003 = (_e1999.y - _e1077);
-                                                                    let _e2005 = (_e1999.z - _e1090);
-                                                                    if (_e1349 == 0u) {
-                                                                        phi_2625_ = vec3<f32>(_e2003, _e2005, _e2001);
+                                                                    let _e1991 = phi_2511_;
+                                                                    let _e1995 = (_e1991.x - (_e1364 * _e1991.z));
+                                                                    let _e1999 = (_e1991.y - (_e1367 * _e1991.z));
+                                                                    let _e2003 = triangles.member[(0u + _e1968)].v1_;
+                                                                    let _e2005 = (_e2003.x - _e1067);
+                                                                    let _e2007 = (_e2003.y - _e1080);
+                                                                    let _e2009 = (_e2003.z - _e1093);
+                                                                    if (_e1353 == 0u) {
+                                                                        phi_2543_ = vec3<f32>(_e2007, _e2009, _e2005);
                                                                     } else {
-                                                                        if (_e1349 == 1u) {
-                                                                            phi_2624_ = vec3<f32>(_e2005, _e2001, _e2003);
+                                                                        if (_e1353 == 1u) {
+                                                                            phi_2542_ = vec3<f32>(_e2009, _e2005, _e2007);
                                                                         } else {
-                                                                            phi_2624_ = (_e1999 - vec3<f32>(_e1064, _e1077, _e1090));
+                                                                            phi_2542_ = (_e2003 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e2013 = phi_2624_;
-                                                                        phi_2625_ = _e2013;
+                                                                        let _e2017 = phi_2542_;
+                                                                        phi_2543_ = _e2017;
                                                                     }
-                                                                    let _e2015 = phi_2625_;
-                                                                    let _e2019 = (_e2015.x - (_e1360 * _e2015.z));
-                                                                    let _e2023 = (_e2015.y - (_e1363 * _e2015.z));
-                                                                    let _e2027 = triangles.member[(0u + _e1964)].v2_;
-                                                                    let _e2029 = (_e2027.x - _e1064);
-                                                                    let _e2031 = (_e2027.y - _e1077);
-                                                                    let _e2033 = (_e2027.z - _e1090);
-                                                                    if (_e1349 == 0u) {
-                                                                        phi_2657_ = vec3<f32>(_e2031, _e2033, _e2029);
+                                                                    let _e2019 = phi_2543_;
+                                                                    let _e2023 = (_e2019.x - (_e1364 * _e2019.z));
+                                                                    let _e2027 = (_e2019.y - (_e1367 * _e2019.z));
+                                                                    let _e2031 = triangles.member[(0u + _e1968)].v2_;
+                                                                    let _e2033 = (_e2031.x - _e1067);
+                                                                    let _e2035 = (_e2031.y - _e1080);
+                                                                    let _e2037 = (_e2031.z - _e1093);
+                                                                    if (_e1353 == 0u) {
+                                                                        phi_2575_ = vec3<f32>(_e2035, _e2037, _e2033);
                                                                     } else {
-                                                                        if (_e1349 == 1u) {
-                                                                            phi_2656_ = vec3<f32>(_e2033, _e2029, _e2031);
+                                                                        if (_e1353 == 1u) {
+                                                                            phi_2574_ = vec3<f32>(_e2037, _e2033, _e2035);
                                                                         } else {
-                                                                            phi_2656_ = (_e2027 - vec3<f32>(_e1064, _e1077, _e1090));
+                                                                            phi_2574_ = (_e2031 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e2041 = phi_2656_;
-                                                                        phi_2657_ = _e2041;
+                                                                        let _e2045 = phi_2574_;
+                                                                        phi_2575_ = _e2045;
                                                                     }
-                                                                    let _e2043 = phi_2657_;
-                                                                    let _e2047 = (_e2043.x - (_e1360 * _e2043.z));
-                                                                    let _e2051 = (_e2043.y - (_e1363 * _e2043.z));
-                                                                    if (_e2019 < _e2047) {
-                                                                        phi_2678_ = true;
+                                                                    let _e2047 = phi_2575_;
+                                                                    let _e2051 = (_e2047.x - (_e1364 * _e2047.z));
+                                                                    let _e2055 = (_e2047.y - (_e1367 * _e2047.z));
+                                                                    if (_e2023 < _e2051) {
+                                                                        phi_2596_ = true;
                                                                     } else {
-                                                                        if (_e2019 == _e2047) {
-                                                                            phi_2677_ = (_e2023 < _e2051);
+                                                                        if (_e2023 == _e2051) {
+                                                                            phi_2595_ = (_e2027 < _e2055);
                                                                         } else {
-                                                                            phi_2677_ = false;
+                                                                            phi_2595_ = false;
                                                                         }
-                                                                        let _e2058 = phi_2677_;
-                                                                        phi_2678_ = _e2058;
+                                                                        let _e2062 = phi_2595_;
+                                                                        phi_2596_ = _e2062;
                                                                     }
-                                                                    let _e2060 = phi_2678_;
-                                                                    if _e2060 {
-                                                                        phi_2682_ = _e2051;
-                                                                        phi_2683_ = _e2047;
-                                                                        phi_2684_ = _e2023;
-                                                                        phi_2685_ = _e2019;
+                                                                    let _e2064 = phi_2596_;
+                                                                    if _e2064 {
+                                                                        phi_2600_ = _e2055;
+                                                                        phi_2601_ = _e2051;
+                                                                        phi_2602_ = _e2027;
+                                                                        phi_2603_ = _e2023;
                                                                     } else {
-                                                                        phi_2682_ = _e2023;
-                                                                        phi_2683_ = _e2019;
-                                                                        phi_2684_ = _e2051;
-                                                                        phi_2685_ = _e2047;
+                                                                        phi_2600_ = _e2027;
+                                                                        phi_2601_ = _e2023;
+                                                                        phi_2602_ = _e2055;
+                                                                        phi_2603_ = _e2051;
                                                                     }
-                                                                    let _e2062 = phi_2682_;
-                                                                    let _e2064 = phi_2683_;
-                                                                    let _e2066 = phi_2684_;
-                                                                    let _e2068 = phi_2685_;
-                                                                    let _e2071 = ((_e2068 * _e2062) - (_e2066 * _e2064));
-                                                                    if _e2060 {
-                                                                        phi_2693_ = -(_e2071);
+                                                                    let _e2066 = phi_2600_;
+                                                                    let _e2068 = phi_2601_;
+                                                                    let _e2070 = phi_2602_;
+                                                                    let _e2072 = phi_2603_;
+                                                                    let _e2075 = ((_e2072 * _e2066) - (_e2070 * _e2068));
+                                                                    if _e2064 {
+                                                                        phi_2611_ = -(_e2075);
                                                                     } else {
-                                                                        phi_2693_ = _e2071;
+                                                                        phi_2611_ = _e2075;
                                                                     }
-                                                                    let _e2074 = phi_2693_;
-                                                                    if (_e2047 < _e1991) {
-                                                                        phi_2704_ = true;
+                                                                    let _e2078 = phi_2611_;
+                                                                    if (_e2051 < _e1995) {
+                                                                        phi_2622_ = true;
                                                                     } else {
-                                                                        if (_e2047 == _e1991) {
-                                                                            phi_2703_ = (_e2051 < _e1995);
+                                                                        if (_e2051 == _e1995) {
+                                                                            phi_2621_ = (_e2055 < _e1999);
                                                                         } else {
-                                                                            phi_2703_ = false;
+                                                                            phi_2621_ = false;
                                                                         }
-                                                                        let _e2079 = phi_2703_;
-                                                                        phi_2704_ = _e2079;
+                                                                        let _e2083 = phi_2621_;
+                                                                        phi_2622_ = _e2083;
                                                                     }
-                                                                    let _e2081 = phi_2704_;
-                                                                    if _e2081 {
-                                                                        phi_2708_ = _e1995;
-                                                                        phi_2709_ = _e1991;
-                                                                        phi_2710_ = _e2051;
-                                                                        phi_2711_ = _e2047;
+                                                                    let _e2085 = phi_2622_;
+                                                                    if _e2085 {
+                                                                        phi_2626_ = _e1999;
+                                                                        phi_2627_ = _e1995;
+                                                                        phi_2628_ = _e2055;
+                                                                        phi_2629_ = _e2051;
                                                                     } else {
-                                                                        phi_2708_ = _e2051;
-                                                                        phi_2709_ = _e2047;
-                                                                        phi_2710_ = _e1995;
-                                                                        phi_2711_ = _e1991;
+                                                                        phi_2626_ = _e2055;
+                                                                        phi_2627_ = _e2051;
+                                                                        phi_2628_ = _e1999;
+                                                                        phi_2629_ = _e1995;
                                                                     }
-                                                                    let _e2083 = phi_2708_;
-                                                                    let _e2085 = phi_2709_;
-                                                                    let _e2087 = phi_2710_;
-                                                                    let _e2089 = phi_2711_;
-                                                                    let _e2092 = ((_e2089 * _e2083) - (_e2087 * _e2085));
-                                                                    if _e2081 {
-                                                                        phi_2719_ = -(_e2092);
+                                                                    let _e2087 = phi_2626_;
+                                                                    let _e2089 = phi_2627_;
+                                                                    let _e2091 = phi_2628_;
+                                                                    let _e2093 = phi_2629_;
+                                                                    let _e2096 = ((_e2093 * _e2087) - (_e2091 * _e2089));
+                                                                    if _e2085 {
+                                                                        phi_2637_ = -(_e2096);
                                                                     } else {
-                                                                        phi_2719_ = _e2092;
+                                                                        phi_2637_ = _e2096;
                                                                     }
-                                                                    let _e2095 = phi_2719_;
-                                                                    if (_e1991 < _e2019) {
-                                                                        phi_2730_ = true;
+                                                                    let _e2099 = phi_2637_;
+                                                                    if (_e1995 < _e2023) {
+                                                                        phi_2648_ = true;
                                                                     } else {
-                                                                        if (_e1991 == _e2019) {
-                                                                            phi_2729_ = (_e1995 < _e2023);
+                                                                        if (_e1995 == _e2023) {
+                                                                            phi_2647_ = (_e1999 < _e2027);
                                                                         } else {
-                                                                            phi_2729_ = false;
+                                                                            phi_2647_ = false;
                                                                         }
-                                                                        let _e2100 = phi_2729_;
-                                                                        phi_2730_ = _e2100;
+                                                                        let _e2104 = phi_2647_;
+                                                                        phi_2648_ = _e2104;
                                                                     }
-                                                                    let _e2102 = phi_2730_;
-                                                                    if _e2102 {
-                                                                        phi_2734_ = _e2023;
-                                                                        phi_2735_ = _e2019;
-                                                                        phi_2736_ = _e1995;
-                                                                        phi_2737_ = _e1991;
+                                                                    let _e2106 = phi_2648_;
+                                                                    if _e2106 {
+                                                                        phi_2652_ = _e2027;
+                                                                        phi_2653_ = _e2023;
+                                                                        phi_2654_ = _e1999;
+                                                                        phi_2655_ = _e1995;
                                                                     } else {
-                                                                        phi_2734_ = _e1995;
-                                                                        phi_2735_ = _e1991;
-                                                                        phi_2736_ = _e2023;
-                                                                        phi_2737_ = _e2019;
+                                                                        phi_2652_ = _e1999;
+                                                                        phi_2653_ = _e1995;
+                                                                        phi_2654_ = _e2027;
+                                                                        phi_2655_ = _e2023;
                                                                     }
-                                                                    let _e2104 = phi_2734_;
-                                                                    let _e2106 = phi_2735_;
-                                                                    let _e2108 = phi_2736_;
-                                                                    let _e2110 = phi_2737_;
-                                                                    let _e2113 = ((_e2110 * _e2104) - (_e2108 * _e2106));
-                                                                    if _e2102 {
-                                                                        phi_2745_ = -(_e2113);
+                                                                    let _e2108 = phi_2652_;
+                                                                    let _e2110 = phi_2653_;
+                                                                    let _e2112 = phi_2654_;
+                                                                    let _e2114 = phi_2655_;
+                                                                    let _e2117 = ((_e2114 * _e2108) - (_e2112 * _e2110));
+                                                                    if _e2106 {
+                                                                        phi_2663_ = -(_e2117);
                                                                     } else {
-                                                                        phi_2745_ = _e2113;
+                                                                        phi_2663_ = _e2117;
                                                                     }
-                                                                    let _e2116 = phi_2745_;
-                                                                    if (_e2074 >= 0f) {
-                                                                        if (_e2095 >= 0f) {
-                                                                            if (_e2116 >= 0f) {
-                                                                                phi_2760_ = ((_e2074 + _e2095) + _e2116);
-                                                                                phi_2761_ = false;
+                                                                    let _e2120 = phi_2663_;
+                                                                    if (_e2078 >= 0f) {
+                                                                        if (_e2099 >= 0f) {
+                                                                            if (_e2120 >= 0f) {
+                                                                                phi_2678_ = ((_e2078 + _e2099) + _e2120);
+                                                                                phi_2679_ = false;
                                                                             } else {
-                                                                                phi_2760_ = f32();
-                                                                                phi_2761_ = true;
+                                                                                phi_2678_ = f32();
+                                                                                phi_2679_ = true;
                                                                             }
-                                                                            let _e2123 = phi_2760_;
-                                                                            let _e2125 = phi_2761_;
-                                                                            phi_2762_ = _e2123;
-                                                                            phi_2763_ = _e2125;
+                                                                            let _e2127 = phi_2678_;
+                                                                            let _e2129 = phi_2679_;
+                                                                            phi_2680_ = _e2127;
+                                                                            phi_2681_ = _e2129;
                                                                         } else {
-                                                                            phi_2762_ = f32();
-                                                                            phi_2763_ = true;
+                                                                            phi_2680_ = f32();
+                                                                            phi_2681_ = true;
                                                                         }
-                                                                        let _e2127 = phi_2762_;
-                                                                        let _e2129 = phi_2763_;
-                                                                        phi_2764_ = _e2127;
-                                                                        phi_2765_ = _e2129;
+                                                                        let _e2131 = phi_2680_;
+                                                                        let _e2133 = phi_2681_;
+                                                                        phi_2682_ = _e2131;
+                                                                        phi_2683_ = _e2133;
                                                                     } else {
-                                                                        phi_2764_ = f32();
-                                                                        phi_2765_ = true;
+                                                                        phi_2682_ = f32();
+                                                                        phi_2683_ = true;
                                                                     }
-                                                                    let _e2131 = phi_2764_;
-                                                                    let _e2133 = phi_2765_;
-                                                                    if _e2133 {
-                                                                        if (_e2074 <= 0f) {
-                                                                            if (_e2095 <= 0f) {
-                                                                                let _e2136 = (_e2116 <= 0f);
-                                                                                if _e2136 {
+                                                                    let _e2135 = phi_2682_;
+                                                                    let _e2137 = phi_2683_;
+                                                                    if _e2137 {
+                                                                        if (_e2078 <= 0f) {
+                                                                            if (_e2099 <= 0f) {
+                                                                                let _e2140 = (_e2120 <= 0f);
+                                                                                if _e2140 {
                                                                                 }
-                                                                                phi_2783_ = ((_e2074 + _e2095) + _e2116);
-                                                                                phi_2784_ = false;
-                                                                                phi_2785_ = _e2136;
+                                                                                phi_2701_ = ((_e2078 + _e2099) + _e2120);
+                                                                                phi_2702_ = false;
+                                                                                phi_2703_ = _e2140;
                                                                             } else {
-                                                                                phi_2783_ = f32();
-                                                                                phi_2784_ = true;
-                                                                                phi_2785_ = false;
+                                                                                phi_2701_ = f32();
+                                                                                phi_2702_ = true;
+                                                                                phi_2703_ = false;
                                                                             }
-                                                                            let _e2140 = phi_2783_;
-                                                                            let _e2142 = phi_2784_;
-                                                                            let _e2144 = phi_2785_;
-                                                                            phi_2786_ = _e2140;
-                                                                            phi_2787_ = _e2142;
-                                                                            phi_2788_ = _e2144;
+                                                                            let _e2144 = phi_2701_;
+                                                                            let _e2146 = phi_2702_;
+                                                                            let _e2148 = phi_2703_;
+                                                                            phi_2704_ = _e2144;
+                                                                            phi_2705_ = _e2146;
+                                                                            phi_2706_ = _e2148;
                                                                         } else {
-                                                                            phi_2786_ = f32();
-                                                                            phi_2787_ = true;
-                                                                            phi_2788_ = false;
+                                                                            phi_2704_ = f32();
+                                                                            phi_2705_ = true;
+                                                                            phi_2706_ = false;
                                                                         }
-                                                                        let _e2146 = phi_2786_;
-                                                                        let _e2148 = phi_2787_;
-                                                                        let _e2150 = phi_2788_;
-                                                                        if _e2148 {
-                                                                            phi_2792_ = false;
+                                                                        let _e2150 = phi_2704_;
+                                                                        let _e2152 = phi_2705_;
+                                                                        let _e2154 = phi_2706_;
+                                                                        if _e2152 {
+                                                                            phi_2710_ = false;
                                                                         } else {
-                                                                            phi_2792_ = _e2150;
+                                                                            phi_2710_ = _e2154;
                                                                         }
-                                                                        let _e2152 = phi_2792_;
-                                                                        phi_2793_ = _e2146;
-                                                                        phi_2794_ = _e2152;
+                                                                        let _e2156 = phi_2710_;
+                                                                        phi_2711_ = _e2150;
+                                                                        phi_2712_ = _e2156;
                                                                     } else {
-                                                                        phi_2793_ = _e2131;
-                                                                        phi_2794_ = true;
+                                                                        phi_2711_ = _e2135;
+                                                                        phi_2712_ = true;
                                                                     }
-                                                                    let _e2154 = phi_2793_;
-                                                                    let _e2156 = phi_2794_;
-                                                                    if _e2156 {
-                                                                        let _e2157 = (_e2154 == 0f);
-                                                                        if _e2157 {
-                                                                            phi_2992_ = lt_bvh_triangle_Intersection();
+                                                                    let _e2158 = phi_2711_;
+                                                                    let _e2160 = phi_2712_;
+                                                                    if _e2160 {
+                                                                        let _e2161 = (_e2158 == 0f);
+                                                                        if _e2161 {
+                                                                            phi_2925_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2926_ = false;
                                                                         } else {
-                                                                            let _e2163 = ((((_e2074 * (_e1365 * _e1987.z)) + (_e2095 * (_e1365 * _e2015.z))) + (_e2116 * (_e1365 * _e2043.z))) / _e2154);
-                                                                            let _e2165 = triangles.member[(0u + _e1964)].v0_;
-                                                                            let _e2167 = triangles.member[(0u + _e1964)].v1_;
-                                                                            if (_e2165.x < _e2167.x) {
-                                                                                phi_2820_ = _e2165.x;
+                                                                            let _e2167 = ((((_e2078 * (_e1369 * _e1991.z)) + (_e2099 * (_e1369 * _e2019.z))) + (_e2120 * (_e1369 * _e2047.z))) / _e2158);
+                                                                            if (_e2167 > _e157.tmin) {
+                                                                                if (_e2167 < _e157.tmax) {
+                                                                                    let _e2171 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2173 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2171.x < _e2173.x) {
+                                                                                        phi_2746_ = _e2171.x;
+                                                                                    } else {
+                                                                                        phi_2746_ = _e2173.x;
+                                                                                    }
+                                                                                    let _e2180 = phi_2746_;
+                                                                                    if (_e2171.y < _e2173.y) {
+                                                                                        phi_2755_ = _e2171.y;
+                                                                                    } else {
+                                                                                        phi_2755_ = _e2173.y;
+                                                                                    }
+                                                                                    let _e2187 = phi_2755_;
+                                                                                    if (_e2171.z < _e2173.z) {
+                                                                                        phi_2764_ = _e2171.z;
+                                                                                    } else {
+                                                                                        phi_2764_ = _e2173.z;
+                                                                                    }
+                                                                                    let _e2194 = phi_2764_;
+                                                                                    let _e2196 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2180 < _e2196.x) {
+                                                                                        phi_2773_ = _e2180;
+                                                                                    } else {
+                                                                                        phi_2773_ = _e2196.x;
+                                                                                    }
+                                                                                    let _e2201 = phi_2773_;
+                                                                                    if (_e2187 < _e2196.y) {
+                                                                                        phi_2780_ = _e2187;
+                                                                                    } else {
+                                                                                        phi_2780_ = _e2196.y;
+                                                                                    }
+                                                                                    let _e2206 = phi_2780_;
+                                                                                    if (_e2194 < _e2196.z) {
+                                                                                        phi_2787_ = _e2194;
+                                                                                    } else {
+                                                                                        phi_2787_ = _e2196.z;
+                                                                                    }
+                                                                                    let _e2211 = phi_2787_;
+                                                                                    let _e2213 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2215 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2213.x > _e2215.x) {
+                                                                                        phi_2800_ = _e2213.x;
+                                                                                    } else {
+                                                                                        phi_2800_ = _e2215.x;
+                                                                                    }
+                                                                                    let _e2222 = phi_2800_;
+                                                                                    if (_e2213.y > _e2215.y) {
+                                                                                        phi_2809_ = _e2213.y;
+                                                                                    } else {
+                                                                                        phi_2809_ = _e2215.y;
+                                                                                    }
+                                                                                    let _e2229 = phi_2809_;
+                                                                                    if (_e2213.z > _e2215.z) {
+                                                                                        phi_2818_ = _e2213.z;
+                                                                                    } else {
+                                                                                        phi_2818_ = _e2215.z;
+                                                                                    }
+                                                                                    let _e2236 = phi_2818_;
+                                                                                    let _e2238 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2222 > _e2238.x) {
+                                                                                        phi_2827_ = _e2222;
+                                                                                    } else {
+                                                                                        phi_2827_ = _e2238.x;
+                                                                                    }
+                                                                                    let _e2243 = phi_2827_;
+                                                                                    if (_e2229 > _e2238.y) {
+                                                                                        phi_2834_ = _e2229;
+                                                                                    } else {
+                                                                                        phi_2834_ = _e2238.y;
+                                                                                    }
+                                                                                    let _e2248 = phi_2834_;
+                                                                                    if (_e2236 > _e2238.z) {
+                                                                                        phi_2841_ = _e2236;
+                                                                                    } else {
+                                                                                        phi_2841_ = _e2238.z;
+                                                                                    }
+                                                                                    let _e2253 = phi_2841_;
+                                                                                    let _e2257 = ((_e2201 - _e1067) * _e1282);
+                                                                                    let _e2258 = ((_e2206 - _e1080) * _e1292);
+                                                                                    let _e2259 = ((_e2211 - _e1093) * _e1302);
+                                                                                    let _e2263 = ((_e2243 - _e1067) * _e1282);
+                                                                                    let _e2264 = ((_e2248 - _e1080) * _e1292);
+                                                                                    let _e2265 = ((_e2253 - _e1093) * _e1302);
+                                                                                    if (_e2257 < _e2263) {
+                                                                                        phi_2858_ = _e2257;
+                                                                                    } else {
+                                                                                        phi_2858_ = _e2263;
+                                                                                    }
+                                                                                    let _e2268 = phi_2858_;
+                                                                                    if (_e2258 < _e2264) {
+                                                                                        phi_2863_ = _e2258;
+                                                                                    } else {
+                                                                                        phi_2863_ = _e2264;
+                                                                                    }
+                                                                                    let _e2271 = phi_2863_;
+                                                                                    if (_e2259 < _e2265) {
+                                                                                        phi_2868_ = _e2259;
+                                                                                    } else {
+                                                                                        phi_2868_ = _e2265;
+                                                                                    }
+                                                                                    let _e2274 = phi_2868_;
+                                                                                    if (_e2257 > _e2263) {
+                                                                                        phi_2876_ = _e2257;
+                                                                                    } else {
+                                                                                        phi_2876_ = _e2263;
+                                                                                    }
+                                                                                    let _e2280 = phi_2876_;
+                                                                                    if (_e2258 > _e2264) {
+                                                                                        phi_2881_ = _e2258;
+                                                                                    } else {
+                                                                                        phi_2881_ = _e2264;
+                                                                                    }
+                                                                                    let _e2283 = phi_2881_;
+                                                                                    if (_e2259 > _e2265) {
+                                                                                        phi_2886_ = _e2259;
+                                                                                    } else {
+                                                                                        phi_2886_ = _e2265;
+                                                                                    }
+                                                                                    let _e2286 = phi_2886_;
+                                                                                    let _e2290 = core_intrinsics_maximum_number_nsz_f32_((_e2268 - _e1337), (_e2271 - _e1338));
+                                                                                    let _e2291 = core_intrinsics_maximum_number_nsz_f32_(_e2290, (_e2274 - _e1339));
+                                                                                    let _e2292 = core_intrinsics_minimum_number_nsz_f32_((_e2280 + _e1337), (_e2283 + _e1338));
+                                                                                    let _e2293 = core_intrinsics_minimum_number_nsz_f32_(_e2292, (_e2286 + _e1339));
+                                                                                    if (_e2291 > _e1042) {
+                                                                                        phi_2898_ = _e2291;
+                                                                                    } else {
+                                                                                        phi_2898_ = _e1042;
+                                                                                    }
+                                                                                    let _e2296 = phi_2898_;
+                                                                                    if (_e2293 < _e1044) {
+                                                                                        phi_2903_ = _e2293;
+                                                                                    } else {
+                                                                                        phi_2903_ = _e1044;
+                                                                                    }
+                                                                                    let _e2299 = phi_2903_;
+                                                                                    if (_e2167 < _e2296) {
+                                                                                        phi_2908_ = _e2296;
+                                                                                    } else {
+                                                                                        phi_2908_ = _e2167;
+                                                                                    }
+                                                                                    let _e2302 = phi_2908_;
+                                                                                    if (_e2302 > _e2299) {
+                                                                                        phi_2913_ = _e2299;
+                                                                                    } else {
+                                                                                        phi_2913_ = _e2302;
+                                                                                    }
+                                                                                    let _e2305 = phi_2913_;
+                                                                                    phi_2918_ = lt_bvh_triangle_Intersection(_e2305, (_e2099 / _e2158), (_e2120 / _e2158), (_e2296 <= _e2299));
+                                                                                    phi_2919_ = false;
+                                                                                } else {
+                                                                                    phi_2918_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2919_ = true;
+                                                                                }
+                                                                                let _e2311 = phi_2918_;
+                                                                                let _e2313 = phi_2919_;
+                                                                                phi_2920_ = _e2311;
+                                                                                phi_2921_ = _e2313;
                                                                             } else {
-                                                                                phi_2820_ = _e2167.x;
+                                                                                phi_2920_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2921_ = true;
                                                                             }
-                                                                            let _e2174 = phi_2820_;
-                                                                            if (_e2165.y < _e2167.y) {
-                                                                                phi_2829_ = _e2165.y;
-                                                                            } else {
-                                                                                phi_2829_ = _e2167.y;
+                                                                            let _e2315 = phi_2920_;
+                                                                            let _e2317 = phi_2921_;
+                                                                            if _e2317 {
                                                                             }
-                                                                            let _e2181 = phi_2829_;
-                                                                            if (_e2165.z < _e2167.z) {
-                                                                                phi_2838_ = _e2165.z;
-                                                                            } else {
-                                                                                phi_2838_ = _e2167.z;
-                                                                            }
-                                                                            let _e2188 = phi_2838_;
-                                                                            let _e2190 = triangles.member[(0u + _e1964)].v2_;
-                                                                            if (_e2174 < _e2190.x) {
-                                                                                phi_2847_ = _e2174;
-                                                                            } else {
-                                                                                phi_2847_ = _e2190.x;
-                                                                            }
-                                                                            let _e2195 = phi_2847_;
-                                                                            if (_e2181 < _e2190.y) {
-                                                                                phi_2854_ = _e2181;
-                                                                            } else {
-                                                                                phi_2854_ = _e2190.y;
-                                                                            }
-                                                                            let _e2200 = phi_2854_;
-                                                                            if (_e2188 < _e2190.z) {
-                                                                                phi_2861_ = _e2188;
-                                                                            } else {
-                                                                                phi_2861_ = _e2190.z;
-                                                                            }
-                                                                            let _e2205 = phi_2861_;
-                                                                            let _e2207 = triangles.member[(0u + _e1964)].v0_;
-                                                                            let _e2209 = triangles.member[(0u + _e1964)].v1_;
-                                                                            if (_e2207.x > _e2209.x) {
-                                                                                phi_2874_ = _e2207.x;
-                                                                            } else {
-                                                                                phi_2874_ = _e2209.x;
-                                                                            }
-                                                                            let _e2216 = phi_2874_;
-                                                                            if (_e2207.y > _e2209.y) {
-                                                                                phi_2883_ = _e2207.y;
-                                                                            } else {
-                                                                                phi_2883_ = _e2209.y;
-                                                                            }
-                                                                            let _e2223 = phi_2883_;
-                                                                            if (_e2207.z > _e2209.z) {
-                                                                                phi_2892_ = _e2207.z;
-                                                                            } else {
-                                                                                phi_2892_ = _e2209.z;
-                                                                            }
-                                                                            let _e2230 = phi_2892_;
-                                                                            let _e2232 = triangles.member[(0u + _e1964)].v2_;
-                                                                            if (_e2216 > _e2232.x) {
-                                                                                phi_2901_ = _e2216;
-                                                                            } else {
-                                                                                phi_2901_ = _e2232.x;
-                                                                            }
-                                                                            let _e2237 = phi_2901_;
-                                                                            if (_e2223 > _e2232.y) {
-                                                                                phi_2908_ = _e2223;
-                                                                            } else {
-                                                                                phi_2908_ = _e2232.y;
-                                                                            }
-                                                                            let _e2242 = phi_2908_;
-                                                                            if (_e2230 > _e2232.z) {
-                                                                                phi_2915_ = _e2230;
-                                                                            } else {
-                                                                                phi_2915_ = _e2232.z;
-                                                                            }
-                                                                            let _e2247 = phi_2915_;
-                                                                            let _e2251 = ((_e2195 - _e1064) * _e1278);
-                                                                            let _e2252 = ((_e2200 - _e1077) * _e1288);
-                                                                            let _e2253 = ((_e2205 - _e1090) * _e1298);
-                                                                            let _e2257 = ((_e2237 - _e1064) * _e1278);
-                                                                            let _e2258 = ((_e2242 - _e1077) * _e1288);
-                                                                            let _e2259 = ((_e2247 - _e1090) * _e1298);
-                                                                            if (_e2251 < _e2257) {
-                                                                                phi_2932_ = _e2251;
-                                                                            } else {
-                                                                                phi_2932_ = _e2257;
-                                                                            }
-                                                                            let _e2262 = phi_2932_;
-                                                                            if (_e2252 < _e2258) {
-                                                                                phi_2937_ = _e2252;
-                                                                            } else {
-                                                                                phi_2937_ = _e2258;
-                                                                            }
-                                                                            let _e2265 = phi_2937_;
-                                                                            if (_e2253 < _e2259) {
-                                                                                phi_2942_ = _e2253;
-                                                                            } else {
-                                                                                phi_2942_ = _e2259;
-                                                                            }
-                                                                            let _e2268 = phi_2942_;
-                                                                            if (_e2251 > _e2257) {
-                                                                                phi_2950_ = _e2251;
-                                                                            } else {
-                                                                                phi_2950_ = _e2257;
-                                                                            }
-                                                                            let _e2274 = phi_2950_;
-                                                                            if (_e2252 > _e2258) {
-                                                                                phi_2955_ = _e2252;
-                                                                            } else {
-                                                                                phi_2955_ = _e2258;
-                                                                            }
-                                                                            let _e2277 = phi_2955_;
-                                                                            if (_e2253 > _e2259) {
-                                                                                phi_2960_ = _e2253;
-                                                                            } else {
-                                                                                phi_2960_ = _e2259;
-                                                                            }
-                                                                            let _e2280 = phi_2960_;
-                                                                            let _e2284 = core_intrinsics_maximum_number_nsz_f32_((_e2262 - _e1333), (_e2265 - _e1334));
-                                                                            let _e2285 = core_intrinsics_maximum_number_nsz_f32_(_e2284, (_e2268 - _e1335));
-                                                                            let _e2286 = core_intrinsics_minimum_number_nsz_f32_((_e2274 + _e1333), (_e2277 + _e1334));
-                                                                            let _e2287 = core_intrinsics_minimum_number_nsz_f32_(_e2286, (_e2280 + _e1335));
-                                                                            if (_e2285 > _e1039) {
-                                                                                phi_2972_ = _e2285;
-                                                                            } else {
-                                                                                phi_2972_ = _e1039;
-                                                                            }
-                                                                            let _e2290 = phi_2972_;
-                                                                            if (_e2287 < _e1041) {
-                                                                                phi_2977_ = _e2287;
-                                                                            } else {
-                                                                                phi_2977_ = _e1041;
-                                                                            }
-                                                                            let _e2293 = phi_2977_;
-                                                                            if (_e2163 < _e2290) {
-                                                                                phi_2982_ = _e2290;
-                                                                            } else {
-                                                                                phi_2982_ = _e2163;
-                                                                            }
-                                                                            let _e2296 = phi_2982_;
-                                                                            if (_e2296 > _e2293) {
-                                                                                phi_2987_ = _e2293;
-                                                                            } else {
-                                                                                phi_2987_ = _e2296;
-                                                                            }
-                                                                            let _e2299 = phi_2987_;
-                                                                            phi_2992_ = lt_bvh_triangle_Intersection(_e2299, (_e2095 / _e2154), (_e2116 / _e2154), (_e2290 <= _e2293));
+                                                                            phi_2925_ = _e2315;
+                                                                            phi_2926_ = _e2317;
                                                                         }
-                                                                        let _e2305 = phi_2992_;
-                                                                        phi_2993_ = _e2305;
-                                                                        phi_2994_ = _e2157;
+                                                                        let _e2319 = phi_2925_;
+                                                                        let _e2321 = phi_2926_;
+                                                                        phi_2927_ = _e2319;
+                                                                        phi_2928_ = _e2161;
+                                                                        phi_2929_ = _e2321;
                                                                     } else {
-                                                                        phi_2993_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2994_ = true;
+                                                                        phi_2927_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2928_ = true;
+                                                                        phi_2929_ = false;
                                                                     }
-                                                                    let _e2307 = phi_2993_;
-                                                                    let _e2309 = phi_2994_;
-                                                                    if _e2309 {
-                                                                        phi_2998_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2323 = phi_2927_;
+                                                                    let _e2325 = phi_2928_;
+                                                                    let _e2327 = phi_2929_;
+                                                                    if _e2325 {
+                                                                        phi_2933_ = true;
                                                                     } else {
-                                                                        phi_2998_ = _e2307;
+                                                                        phi_2933_ = _e2327;
                                                                     }
-                                                                    let _e2311 = phi_2998_;
-                                                                    if _e2311.is_hit {
-                                                                        if (_e2311.t > _e154.tmin) {
-                                                                            if (_e2311.t < _e1953.t) {
-                                                                                phi_3046_ = true;
+                                                                    let _e2329 = phi_2933_;
+                                                                    if _e2329 {
+                                                                        phi_2937_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2937_ = _e2323;
+                                                                    }
+                                                                    let _e2331 = phi_2937_;
+                                                                    if _e2331.is_hit {
+                                                                        if (_e2331.t > _e157.tmin) {
+                                                                            if (_e2331.t < _e1957.t) {
+                                                                                phi_2985_ = true;
                                                                             } else {
-                                                                                if (_e2311.t == _e1953.t) {
-                                                                                    if (_e1953.triangle != 4294967295u) {
-                                                                                        if (_e1964 < _e1953.triangle) {
-                                                                                            phi_3037_ = true;
+                                                                                if (_e2331.t == _e1957.t) {
+                                                                                    if (_e1957.triangle != 4294967295u) {
+                                                                                        if (_e1968 < _e1957.triangle) {
+                                                                                            phi_2976_ = true;
                                                                                         } else {
-                                                                                            if (_e1964 == _e1953.triangle) {
-                                                                                                phi_3036_ = (_e980 < _e1953.instance);
+                                                                                            if (_e1968 == _e1957.triangle) {
+                                                                                                phi_2975_ = (_e983 < _e1957.instance);
                                                                                             } else {
-                                                                                                phi_3036_ = false;
+                                                                                                phi_2975_ = false;
                                                                                             }
-                                                                                            let _e2329 = phi_3036_;
-                                                                                            phi_3037_ = _e2329;
+                                                                                            let _e2349 = phi_2975_;
+                                                                                            phi_2976_ = _e2349;
                                                                                         }
-                                                                                        let _e2331 = phi_3037_;
-                                                                                        phi_3038_ = _e2331;
-                                                                                        phi_3039_ = false;
+                                                                                        let _e2351 = phi_2976_;
+                                                                                        phi_2977_ = _e2351;
+                                                                                        phi_2978_ = false;
                                                                                     } else {
-                                                                                        phi_3038_ = bool();
-                                                                                        phi_3039_ = true;
+                                                                                        phi_2977_ = bool();
+                                                                                        phi_2978_ = true;
                                                                                     }
-                                                                                    let _e2333 = phi_3038_;
-                                                                                    let _e2335 = phi_3039_;
-                                                                                    phi_3040_ = _e2333;
-                                                                                    phi_3041_ = _e2335;
+                                                                                    let _e2353 = phi_2977_;
+                                                                                    let _e2355 = phi_2978_;
+                                                                                    phi_2979_ = _e2353;
+                                                                                    phi_2980_ = _e2355;
                                                                                 } else {
-                                                                                    phi_3040_ = bool();
-                                                                                    phi_3041_ = true;
+                                                                                    phi_2979_ = bool();
+                                                                                    phi_2980_ = true;
                                                                                 }
-                                                                                let _e2337 = phi_3040_;
-                                                                                let _e2339 = phi_3041_;
-                                                                                if _e2339 {
-                                                                                    phi_3045_ = false;
+                                                                                let _e2357 = phi_2979_;
+                                                                                let _e2359 = phi_2980_;
+                                                                                if _e2359 {
+                                                                                    phi_2984_ = false;
                                                                                 } else {
-                                                                                    phi_3045_ = _e2337;
+                                                                                    phi_2984_ = _e2357;
                                                                                 }
-                                                                                let _e2341 = phi_3045_;
-                                                                                phi_3046_ = _e2341;
+                                                                                let _e2361 = phi_2984_;
+                                                                                phi_2985_ = _e2361;
                                                                             }
-                                                                            let _e2343 = phi_3046_;
-                                                                            if _e2343 {
-                                                                                let _e2345 = triangles.member[(0u + _e1964)].i0_;
-                                                                                if ((_e2345 & 2147483648u) == 0u) {
-                                                                                    phi_3252_ = true;
+                                                                            let _e2363 = phi_2985_;
+                                                                            if _e2363 {
+                                                                                let _e2365 = triangles.member[(0u + _e1968)].i0_;
+                                                                                if ((_e2365 & 2147483648u) == 0u) {
+                                                                                    phi_3200_ = true;
                                                                                 } else {
-                                                                                    if (_e1964 < _e76) {
+                                                                                    if (_e1968 < _e79) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2354 = triangles.member[(0u + _e1964)].i0_;
-                                                                                    let _e2355 = (_e2354 & 2147483647u);
-                                                                                    let _e2357 = triangles.member[(0u + _e1964)].i1_;
-                                                                                    let _e2359 = triangles.member[(0u + _e1964)].i2_;
-                                                                                    if (_e2355 < _e79) {
+                                                                                    let _e2374 = triangles.member[(0u + _e1968)].i0_;
+                                                                                    let _e2375 = (_e2374 & 2147483647u);
+                                                                                    let _e2377 = triangles.member[(0u + _e1968)].i1_;
+                                                                                    let _e2379 = triangles.member[(0u + _e1968)].i2_;
+                                                                                    if (_e2375 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2363 = vertices.member[(0u + _e2355)];
-                                                                                    if (_e2357 < _e79) {
+                                                                                    let _e2383 = vertices.member[(0u + _e2375)];
+                                                                                    if (_e2377 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2367 = vertices.member[(0u + _e2357)];
-                                                                                    if (_e2359 < _e79) {
+                                                                                    let _e2387 = vertices.member[(0u + _e2377)];
+                                                                                    if (_e2379 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2371 = vertices.member[(0u + _e2359)];
-                                                                                    let _e2372 = array<abi_Vertex, 3>(_e2363, _e2367, _e2371);
-                                                                                    local_3 = array<abi_Vertex, 3>(abi_Vertex(_e2372[0].u, _e2372[0].v, _e2372[0].normal, _e2372[0].color, _e2372[0].material), abi_Vertex(_e2372[1].u, _e2372[1].v, _e2372[1].normal, _e2372[1].color, _e2372[1].material), abi_Vertex(_e2372[2].u, _e2372[2].v, _e2372[2].normal, _e2372[2].color, _e2372[2].material));
-                                                                                    let _e2397 = local_3[0u].material;
-                                                                                    if (_e2397 < _e82) {
+                                                                                    let _e2391 = vertices.member[(0u + _e2379)];
+                                                                                    let _e2392 = array<abi_Vertex, 3>(_e2383, _e2387, _e2391);
+                                                                                    if (_e2392[0].material < _e85) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2401 = materials.member[(0u + _e2397)];
-                                                                                    if ((_e2401.flags & 0u) == 0u) {
-                                                                                        let _e2405 = lt_shaders_surface_barycentric_weights(_e2311.u, _e2311.v);
-                                                                                        if (_e2401.cutoff <= 0f) {
-                                                                                            phi_3247_ = true;
+                                                                                    let _e2398 = materials.member[(0u + _e2392[0].material)];
+                                                                                    if ((_e2398.flags & 0u) == 0u) {
+                                                                                        let _e2403 = ((1f - _e2331.u) - _e2331.v);
+                                                                                        if (_e2398.cutoff <= 0f) {
+                                                                                            phi_3195_ = true;
                                                                                         } else {
-                                                                                            let _e2410 = lt_shaders_surface_vertex_color((&local_3), _e2405);
-                                                                                            let _e2412 = (_e2401.base_color.w * _e2410.w);
-                                                                                            if (_e2401.alpha_size == 0u) {
-                                                                                                phi_3244_ = _e2412;
+                                                                                            let _e2434 = (_e2398.base_color.w * ((((f32((_e2392[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2403) + ((f32((_e2392[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2331.u)) + ((f32((_e2392[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2331.v)));
+                                                                                            if (_e2398.alpha_size == 0u) {
+                                                                                                phi_3192_ = _e2434;
                                                                                             } else {
-                                                                                                local_2.offset = _e2401.alpha_offset;
-                                                                                                local_2.size = _e2401.alpha_size;
-                                                                                                local_2.flags = _e2401.flags;
-                                                                                                let _e2421 = lt_shaders_surface_texture_coordinate((&local_3), _e2405);
-                                                                                                let _e2424 = _lt_shaders_texture_TextureView_quad((&local_2), _e2421.x, _e2421.y);
-                                                                                                let _e2428 = (_e2424.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2428 < _e91) {
-                                                                                                } else {
-                                                                                                    return;
-                                                                                                }
-                                                                                                let _e2432 = alpha_texels.member[(0u + _e2428)];
-                                                                                                let _e2448 = (_e2424.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2448 < _e91) {
-                                                                                                } else {
-                                                                                                    return;
-                                                                                                }
-                                                                                                let _e2452 = alpha_texels.member[(0u + _e2448)];
-                                                                                                let _e2469 = (_e2424.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2469 < _e91) {
+                                                                                                local.offset = _e2398.alpha_offset;
+                                                                                                local.size = _e2398.alpha_size;
+                                                                                                local.flags = _e2398.flags;
+                                                                                                let _e2465 = _lt_shaders_texture_TextureView_quad((&local), (((_e2392[0].u * _e2403) + (_e2392[1].u * _e2331.u)) + (_e2392[2].u * _e2331.v)), (((_e2392[0].v * _e2403) + (_e2392[1].v * _e2331.u)) + (_e2392[2].v * _e2331.v)));
+                                                                                                let _e2469 = (_e2465.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2469 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
                                                                                                 let _e2473 = alpha_texels.member[(0u + _e2469)];
-                                                                                                let _e2490 = (_e2424.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2490 < _e91) {
+                                                                                                let _e2489 = (_e2465.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2489 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2494 = alpha_texels.member[(0u + _e2490)];
-                                                                                                phi_3244_ = (_e2412 * (((((f32(((_e2432 >> bitcast<u32>((((_e2424.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2424.weights.x) + ((f32(((_e2452 >> bitcast<u32>((((_e2424.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2424.weights.y)) + ((f32(((_e2473 >> bitcast<u32>((((_e2424.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2424.weights.z)) + ((f32(((_e2494 >> bitcast<u32>((((_e2424.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2424.weights.w)));
+                                                                                                let _e2493 = alpha_texels.member[(0u + _e2489)];
+                                                                                                let _e2510 = (_e2465.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2510 < _e94) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2514 = alpha_texels.member[(0u + _e2510)];
+                                                                                                let _e2531 = (_e2465.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2531 < _e94) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2535 = alpha_texels.member[(0u + _e2531)];
+                                                                                                phi_3192_ = (_e2434 * (((((f32(((_e2473 >> bitcast<u32>((((_e2465.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.x) + ((f32(((_e2493 >> bitcast<u32>((((_e2465.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.y)) + ((f32(((_e2514 >> bitcast<u32>((((_e2465.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.z)) + ((f32(((_e2535 >> bitcast<u32>((((_e2465.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.w)));
                                                                                             }
-                                                                                            let _e2510 = phi_3244_;
-                                                                                            phi_3247_ = (_e2510 >= _e2401.cutoff);
+                                                                                            let _e2551 = phi_3192_;
+                                                                                            phi_3195_ = (_e2551 >= _e2398.cutoff);
                                                                                         }
-                                                                                        let _e2514 = phi_3247_;
-                                                                                        phi_3248_ = _e2514;
+                                                                                        let _e2555 = phi_3195_;
+                                                                                        phi_3196_ = _e2555;
                                                                                     } else {
-                                                                                        phi_3248_ = false;
+                                                                                        phi_3196_ = false;
                                                                                     }
-                                                                                    let _e2516 = phi_3248_;
-                                                                                    if _e2516 {
+                                                                                    let _e2557 = phi_3196_;
+                                                                                    if _e2557 {
                                                                                     }
-                                                                                    phi_3252_ = _e2516;
+                                                                                    phi_3200_ = _e2557;
                                                                                 }
-                                                                                let _e2518 = phi_3252_;
-                                                                                if _e2518 {
-                                                                                    phi_3260_ = lt_bvh_Hit(_e2311.t, _e2311.u, _e2311.v, _e1964, _e980);
+                                                                                let _e2559 = phi_3200_;
+                                                                                if _e2559 {
+                                                                                    phi_3208_ = lt_bvh_Hit(_e2331.t, _e2331.u, _e2331.v, _e1968, _e983);
                                                                                 } else {
-                                                                                    phi_3260_ = _e1953;
+                                                                                    phi_3208_ = _e1957;
                                                                                 }
-                                                                                let _e2524 = phi_3260_;
-                                                                                phi_3261_ = _e2524;
+                                                                                let _e2565 = phi_3208_;
+                                                                                phi_3209_ = _e2565;
                                                                             } else {
-                                                                                phi_3261_ = _e1953;
+                                                                                phi_3209_ = _e1957;
                                                                             }
-                                                                            let _e2526 = phi_3261_;
-                                                                            phi_3262_ = _e2526;
+                                                                            let _e2567 = phi_3209_;
+                                                                            phi_3210_ = _e2567;
                                                                         } else {
-                                                                            phi_3262_ = _e1953;
+                                                                            phi_3210_ = _e1957;
                                                                         }
-                                                                        let _e2528 = phi_3262_;
-                                                                        phi_3263_ = _e2528;
+                                                                        let _e2569 = phi_3210_;
+                                                                        phi_3211_ = _e2569;
                                                                     } else {
-                                                                        phi_3263_ = _e1953;
+                                                                        phi_3211_ = _e1957;
                                                                     }
-                                                                    let _e2530 = phi_3263_;
-                                                                    phi_2546_ = _e2530;
-                                                                    phi_2549_ = (_e1955 & (_e1955 - 1u));
-                                                                    phi_3264_ = true;
+                                                                    let _e2571 = phi_3211_;
+                                                                    phi_2464_ = _e2571;
+                                                                    phi_2467_ = (_e1959 & (_e1959 - 1u));
+                                                                    phi_3212_ = true;
                                                                 }
-                                                                let _e2532 = phi_2546_;
-                                                                let _e2534 = phi_2549_;
-                                                                let _e2536 = phi_3264_;
+                                                                let _e2573 = phi_2464_;
+                                                                let _e2575 = phi_2467_;
+                                                                let _e2577 = phi_3212_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2545_ = _e2532;
-                                                                    phi_2548_ = _e2534;
-                                                                    break if !(_e2536);
+                                                                    phi_2463_ = _e2573;
+                                                                    phi_2466_ = _e2575;
+                                                                    break if !(_e2577);
                                                                 }
                                                             }
-                                                            let _e2539 = local_4.group_mask;
-                                                            if ((_e2539 & 4278190080u) == 0u) {
-                                                                let _e2543 = local_4.len;
-                                                                if (_e2543 == 0u) {
-                                                                    phi_3303_ = false;
+                                                            let _e2580 = local_1.group_mask;
+                                                            if ((_e2580 & 4278190080u) == 0u) {
+                                                                let _e2584 = local_1.len;
+                                                                if (_e2584 == 0u) {
+                                                                    phi_3251_ = false;
                                                                 } else {
-                                                                    let _e2547 = local_4.len;
-                                                                    local_4.len = (_e2547 - 1u);
-                                                                    let _e2550 = local_4.len;
-                                                                    if (_e2550 < 32u) {
+                                                                    let _e2588 = local_1.len;
+                                                                    local_1.len = (_e2588 - 1u);
+                                                                    let _e2591 = local_1.len;
+                                                                    if (_e2591 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2555 = local_4.first[(0u + _e2550)];
-                                                                    local_4.group = _e2555;
-                                                                    let _e2558 = local_4.len;
-                                                                    if (_e2558 < 32u) {
+                                                                    let _e2596 = local_1.first[(0u + _e2591)];
+                                                                    local_1.group = _e2596;
+                                                                    let _e2599 = local_1.len;
+                                                                    if (_e2599 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2563 = local_4.mask[(0u + _e2558)];
-                                                                    local_4.group_mask = _e2563;
-                                                                    phi_3303_ = true;
+                                                                    let _e2604 = local_1.mask[(0u + _e2599)];
+                                                                    local_1.group_mask = _e2604;
+                                                                    phi_3251_ = true;
                                                                 }
-                                                                let _e2566 = phi_3303_;
-                                                                phi_3304_ = _e2566;
+                                                                let _e2607 = phi_3251_;
+                                                                phi_3252_ = _e2607;
                                                             } else {
-                                                                phi_3304_ = true;
+                                                                phi_3252_ = true;
                                                             }
-                                                            let _e2568 = phi_3304_;
-                                                            if _e2568 {
-                                                                let _e2570 = local_4.group_mask;
-                                                                let _e2576 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2570)), 32u, (_e2570 == 0u)));
-                                                                let _e2580 = local_4.group_mask;
-                                                                let _e2594 = local_4.group_mask;
-                                                                local_4.group_mask = (_e2594 & ~((1u << bitcast<u32>((_e2576 & 31u)))));
-                                                                let _e2597 = local_4.group;
-                                                                phi_3335_ = (_e2597 + countOneBits(((_e2580 & ~((4294967295u << bitcast<u32>((((_e2576 - 24u) ^ _e1376) & 31u))))) & 255u)));
+                                                            let _e2609 = phi_3252_;
+                                                            if _e2609 {
+                                                                let _e2611 = local_1.group_mask;
+                                                                let _e2617 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2611)), 32u, (_e2611 == 0u)));
+                                                                let _e2621 = local_1.group_mask;
+                                                                let _e2635 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2635 & ~((1u << bitcast<u32>((_e2617 & 31u)))));
+                                                                let _e2638 = local_1.group;
+                                                                phi_3283_ = (_e2638 + countOneBits(((_e2621 & ~((4294967295u << bitcast<u32>((((_e2617 - 24u) ^ _e1380) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3335_ = 4294967295u;
+                                                                phi_3283_ = 4294967295u;
                                                             }
-                                                            let _e2600 = phi_3335_;
-                                                            let _e3347 = local_12;
-                                                            phi_2213_ = _e3347;
-                                                            phi_2216_ = _e2600;
+                                                            let _e2641 = phi_3283_;
+                                                            let _e3624 = local_9;
+                                                            phi_2131_ = _e3624;
+                                                            phi_2134_ = _e2641;
                                                         } else {
-                                                            phi_2213_ = lt_bvh_Hit();
-                                                            phi_2216_ = u32();
+                                                            phi_2131_ = lt_bvh_Hit();
+                                                            phi_2134_ = u32();
                                                         }
-                                                        let _e2602 = phi_2213_;
-                                                        let _e2604 = phi_2216_;
+                                                        let _e2643 = phi_2131_;
+                                                        let _e2645 = phi_2134_;
                                                         continue;
                                                         continuing {
-                                                            phi_2212_ = _e2602;
-                                                            phi_2215_ = _e2604;
-                                                            break if !(_e1517);
+                                                            phi_2130_ = _e2643;
+                                                            phi_2133_ = _e2645;
+                                                            break if !(_e1521);
                                                         }
                                                     }
-                                                    let _e3351 = local_13;
-                                                    phi_3336_ = _e3351;
+                                                    let _e3628 = local_10;
+                                                    phi_3284_ = _e3628;
                                                 }
-                                                let _e2607 = phi_3336_;
-                                                phi_3337_ = _e2607;
-                                                phi_3338_ = _e1202;
+                                                let _e2648 = phi_3284_;
+                                                phi_3285_ = _e2648;
+                                                phi_3286_ = _e1206;
                                             } else {
-                                                phi_3337_ = lt_bvh_Hit();
-                                                phi_3338_ = true;
+                                                phi_3285_ = lt_bvh_Hit();
+                                                phi_3286_ = true;
                                             }
-                                            let _e2609 = phi_3337_;
-                                            let _e2611 = phi_3338_;
-                                            if _e2611 {
-                                                phi_3342_ = _e972;
+                                            let _e2650 = phi_3285_;
+                                            let _e2652 = phi_3286_;
+                                            if _e2652 {
+                                                phi_3290_ = _e975;
                                             } else {
-                                                phi_3342_ = _e2609;
+                                                phi_3290_ = _e2650;
                                             }
-                                            let _e2613 = phi_3342_;
-                                            phi_3343_ = _e2613;
+                                            let _e2654 = phi_3290_;
+                                            phi_3291_ = _e2654;
                                         } else {
-                                            phi_3343_ = _e972;
+                                            phi_3291_ = _e975;
                                         }
-                                        let _e2615 = phi_3343_;
-                                        phi_3344_ = _e2615;
+                                        let _e2656 = phi_3291_;
+                                        phi_3292_ = _e2656;
                                     } else {
-                                        phi_3344_ = _e972;
+                                        phi_3292_ = _e975;
                                     }
-                                    let _e2617 = phi_3344_;
-                                    phi_3345_ = _e2617;
+                                    let _e2658 = phi_3292_;
+                                    phi_3293_ = _e2658;
                                 } else {
-                                    phi_3345_ = _e972;
+                                    phi_3293_ = _e975;
                                 }
-                                let _e2619 = phi_3345_;
-                                phi_1588_ = (_e970 & (_e970 - 1u));
-                                phi_1591_ = _e2619;
-                                phi_3346_ = true;
+                                let _e2660 = phi_3293_;
+                                phi_1505_ = (_e973 & (_e973 - 1u));
+                                phi_1508_ = _e2660;
+                                phi_3294_ = true;
                             }
-                            let _e2621 = phi_1588_;
-                            let _e2623 = phi_1591_;
-                            let _e2625 = phi_3346_;
+                            let _e2662 = phi_1505_;
+                            let _e2664 = phi_1508_;
+                            let _e2666 = phi_3294_;
                             continue;
                             continuing {
-                                phi_1587_ = _e2621;
-                                phi_1590_ = _e2623;
-                                break if !(_e2625);
+                                phi_1504_ = _e2662;
+                                phi_1507_ = _e2664;
+                                break if !(_e2666);
                             }
                         }
-                        let _e2628 = local_5.group_mask;
-                        if ((_e2628 & 4278190080u) == 0u) {
-                            let _e2632 = local_5.len;
-                            if (_e2632 == 0u) {
-                                phi_3385_ = false;
+                        let _e2669 = local_2.group_mask;
+                        if ((_e2669 & 4278190080u) == 0u) {
+                            let _e2673 = local_2.len;
+                            if (_e2673 == 0u) {
+                                phi_3333_ = false;
                             } else {
-                                let _e2636 = local_5.len;
-                                local_5.len = (_e2636 - 1u);
-                                let _e2639 = local_5.len;
-                                if (_e2639 < 32u) {
+                                let _e2677 = local_2.len;
+                                local_2.len = (_e2677 - 1u);
+                                let _e2680 = local_2.len;
+                                if (_e2680 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2644 = local_5.first[(0u + _e2639)];
-                                local_5.group = _e2644;
-                                let _e2647 = local_5.len;
-                                if (_e2647 < 32u) {
+                                let _e2685 = local_2.first[(0u + _e2680)];
+                                local_2.group = _e2685;
+                                let _e2688 = local_2.len;
+                                if (_e2688 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2652 = local_5.mask[(0u + _e2647)];
-                                local_5.group_mask = _e2652;
-                                phi_3385_ = true;
+                                let _e2693 = local_2.mask[(0u + _e2688)];
+                                local_2.group_mask = _e2693;
+                                phi_3333_ = true;
                             }
-                            let _e2655 = phi_3385_;
-                            phi_3386_ = _e2655;
+                            let _e2696 = phi_3333_;
+                            phi_3334_ = _e2696;
                         } else {
-                            phi_3386_ = true;
+                            phi_3334_ = true;
                         }
-                        let _e2657 = phi_3386_;
-                        if _e2657 {
-                            let _e2659 = local_5.group_mask;
-                            let _e2665 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2659)), 32u, (_e2659 == 0u)));
-                            let _e2669 = local_5.group_mask;
-                            let _e2683 = local_5.group_mask;
-                            local_5.group_mask = (_e2683 & ~((1u << bitcast<u32>((_e2665 & 31u)))));
-                            let _e2686 = local_5.group;
-                            phi_3417_ = (_e2686 + countOneBits(((_e2669 & ~((4294967295u << bitcast<u32>((((_e2665 - 24u) ^ _e389) & 31u))))) & 255u)));
+                        let _e2698 = phi_3334_;
+                        if _e2698 {
+                            let _e2700 = local_2.group_mask;
+                            let _e2706 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2700)), 32u, (_e2700 == 0u)));
+                            let _e2710 = local_2.group_mask;
+                            let _e2724 = local_2.group_mask;
+                            local_2.group_mask = (_e2724 & ~((1u << bitcast<u32>((_e2706 & 31u)))));
+                            let _e2727 = local_2.group;
+                            phi_3365_ = (_e2727 + countOneBits(((_e2710 & ~((4294967295u << bitcast<u32>((((_e2706 - 24u) ^ _e392) & 31u))))) & 255u)));
                         } else {
-                            phi_3417_ = 4294967295u;
+                            phi_3365_ = 4294967295u;
                         }
-                        let _e2689 = phi_3417_;
-                        phi_1251_ = _e2689;
-                        let _e3367 = local_14;
-                        phi_1254_ = _e3367;
+                        let _e2730 = phi_3365_;
+                        phi_1168_ = _e2730;
+                        let _e3644 = local_11;
+                        phi_1171_ = _e3644;
                     } else {
-                        phi_1251_ = u32();
-                        phi_1254_ = lt_bvh_Hit();
+                        phi_1168_ = u32();
+                        phi_1171_ = lt_bvh_Hit();
                     }
-                    let _e2691 = phi_1251_;
-                    let _e2693 = phi_1254_;
+                    let _e2732 = phi_1168_;
+                    let _e2734 = phi_1171_;
                     continue;
                     continuing {
-                        phi_1250_ = _e2691;
-                        phi_1253_ = _e2693;
-                        break if !(_e530);
+                        phi_1167_ = _e2732;
+                        phi_1170_ = _e2734;
+                        break if !(_e533);
                     }
                 }
-                let _e3370 = local_15;
-                phi_3418_ = _e3370;
+                let _e3647 = local_12;
+                phi_3366_ = _e3647;
             }
-            let _e2696 = phi_3418_;
-            phi_3419_ = _e2696;
-            phi_3420_ = _e226;
+            let _e2737 = phi_3366_;
+            phi_3367_ = _e2737;
+            phi_3368_ = _e229;
         } else {
-            phi_3419_ = lt_bvh_Hit();
-            phi_3420_ = true;
+            phi_3367_ = lt_bvh_Hit();
+            phi_3368_ = true;
         }
-        let _e2698 = phi_3419_;
-        let _e2700 = phi_3420_;
-        if _e2700 {
-            phi_3424_ = _e156;
+        let _e2739 = phi_3367_;
+        let _e2741 = phi_3368_;
+        if _e2741 {
+            phi_3372_ = _e159;
         } else {
-            phi_3424_ = _e2698;
+            phi_3372_ = _e2739;
         }
-        let _e2702 = phi_3424_;
-        if (_e2702.triangle != 4294967295u) {
-            let _e2707 = lt_shaders_surface_barycentric_weights(_e2702.u, _e2702.v);
-            if (_e2702.triangle < _e76) {
+        let _e2743 = phi_3372_;
+        if (_e2743.triangle != 4294967295u) {
+            let _e2749 = ((1f - _e2743.u) - _e2743.v);
+            if (_e2743.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2712 = triangles.member[(0u + _e2702.triangle)];
-            if (_e2702.instance < _e88) {
+            let _e2755 = triangles.member[(0u + _e2743.triangle)];
+            if (_e2743.instance < _e91) {
             } else {
                 return;
             }
-            let _e2723 = instances.member[(0u + _e2702.instance)].object_to_world[0u];
-            let _e2734 = ((((_e2723.x * _e2712.v0_.x) + (_e2723.y * _e2712.v0_.y)) + (_e2723.z * _e2712.v0_.z)) + (_e2723.w * 1f));
-            let _e2736 = instances.member[(0u + _e2702.instance)].object_to_world[1u];
-            let _e2747 = ((((_e2736.x * _e2712.v0_.x) + (_e2736.y * _e2712.v0_.y)) + (_e2736.z * _e2712.v0_.z)) + (_e2736.w * 1f));
-            let _e2749 = instances.member[(0u + _e2702.instance)].object_to_world[2u];
-            let _e2760 = ((((_e2749.x * _e2712.v0_.x) + (_e2749.y * _e2712.v0_.y)) + (_e2749.z * _e2712.v0_.z)) + (_e2749.w * 1f));
-            let _e2767 = instances.member[(0u + _e2702.instance)].object_to_world[0u];
-            let _e2778 = ((((_e2767.x * _e2712.v1_.x) + (_e2767.y * _e2712.v1_.y)) + (_e2767.z * _e2712.v1_.z)) + (_e2767.w * 1f));
-            let _e2780 = instances.member[(0u + _e2702.instance)].object_to_world[1u];
-            let _e2791 = ((((_e2780.x * _e2712.v1_.x) + (_e2780.y * _e2712.v1_.y)) + (_e2780.z * _e2712.v1_.z)) + (_e2780.w * 1f));
-            let _e2793 = instances.member[(0u + _e2702.instance)].object_to_world[2u];
-            let _e2804 = ((((_e2793.x * _e2712.v1_.x) + (_e2793.y * _e2712.v1_.y)) + (_e2793.z * _e2712.v1_.z)) + (_e2793.w * 1f));
-            let _e2811 = instances.member[(0u + _e2702.instance)].object_to_world[0u];
-            let _e2822 = ((((_e2811.x * _e2712.v2_.x) + (_e2811.y * _e2712.v2_.y)) + (_e2811.z * _e2712.v2_.z)) + (_e2811.w * 1f));
-            let _e2824 = instances.member[(0u + _e2702.instance)].object_to_world[1u];
-            let _e2835 = ((((_e2824.x * _e2712.v2_.x) + (_e2824.y * _e2712.v2_.y)) + (_e2824.z * _e2712.v2_.z)) + (_e2824.w * 1f));
-            let _e2837 = instances.member[(0u + _e2702.instance)].object_to_world[2u];
-            let _e2848 = ((((_e2837.x * _e2712.v2_.x) + (_e2837.y * _e2712.v2_.y)) + (_e2837.z * _e2712.v2_.z)) + (_e2837.w * 1f));
-            let _e2864 = (((_e2734 * _e2707.x) + (_e2778 * _e2707.y)) + (_e2822 * _e2707.z));
-            let _e2865 = (((_e2747 * _e2707.x) + (_e2791 * _e2707.y)) + (_e2835 * _e2707.z));
-            let _e2866 = (((_e2760 * _e2707.x) + (_e2804 * _e2707.y)) + (_e2848 * _e2707.z));
-            let _e2868 = abs(_e2734);
-            let _e2869 = abs(_e2747);
-            let _e2870 = abs(_e2760);
-            let _e2871 = abs(_e2778);
-            let _e2872 = abs(_e2791);
-            let _e2873 = abs(_e2804);
-            if (_e2868 > _e2871) {
-                phi_3613_ = _e2868;
+            let _e2766 = instances.member[(0u + _e2743.instance)].object_to_world[0u];
+            let _e2777 = ((((_e2766.x * _e2755.v0_.x) + (_e2766.y * _e2755.v0_.y)) + (_e2766.z * _e2755.v0_.z)) + (_e2766.w * 1f));
+            let _e2779 = instances.member[(0u + _e2743.instance)].object_to_world[1u];
+            let _e2790 = ((((_e2779.x * _e2755.v0_.x) + (_e2779.y * _e2755.v0_.y)) + (_e2779.z * _e2755.v0_.z)) + (_e2779.w * 1f));
+            let _e2792 = instances.member[(0u + _e2743.instance)].object_to_world[2u];
+            let _e2803 = ((((_e2792.x * _e2755.v0_.x) + (_e2792.y * _e2755.v0_.y)) + (_e2792.z * _e2755.v0_.z)) + (_e2792.w * 1f));
+            let _e2810 = instances.member[(0u + _e2743.instance)].object_to_world[0u];
+            let _e2821 = ((((_e2810.x * _e2755.v1_.x) + (_e2810.y * _e2755.v1_.y)) + (_e2810.z * _e2755.v1_.z)) + (_e2810.w * 1f));
+            let _e2823 = instances.member[(0u + _e2743.instance)].object_to_world[1u];
+            let _e2834 = ((((_e2823.x * _e2755.v1_.x) + (_e2823.y * _e2755.v1_.y)) + (_e2823.z * _e2755.v1_.z)) + (_e2823.w * 1f));
+            let _e2836 = instances.member[(0u + _e2743.instance)].object_to_world[2u];
+            let _e2847 = ((((_e2836.x * _e2755.v1_.x) + (_e2836.y * _e2755.v1_.y)) + (_e2836.z * _e2755.v1_.z)) + (_e2836.w * 1f));
+            let _e2854 = instances.member[(0u + _e2743.instance)].object_to_world[0u];
+            let _e2865 = ((((_e2854.x * _e2755.v2_.x) + (_e2854.y * _e2755.v2_.y)) + (_e2854.z * _e2755.v2_.z)) + (_e2854.w * 1f));
+            let _e2867 = instances.member[(0u + _e2743.instance)].object_to_world[1u];
+            let _e2878 = ((((_e2867.x * _e2755.v2_.x) + (_e2867.y * _e2755.v2_.y)) + (_e2867.z * _e2755.v2_.z)) + (_e2867.w * 1f));
+            let _e2880 = instances.member[(0u + _e2743.instance)].object_to_world[2u];
+            let _e2891 = ((((_e2880.x * _e2755.v2_.x) + (_e2880.y * _e2755.v2_.y)) + (_e2880.z * _e2755.v2_.z)) + (_e2880.w * 1f));
+            let _e2904 = (((_e2777 * _e2749) + (_e2821 * _e2743.u)) + (_e2865 * _e2743.v));
+            let _e2905 = (((_e2790 * _e2749) + (_e2834 * _e2743.u)) + (_e2878 * _e2743.v));
+            let _e2906 = (((_e2803 * _e2749) + (_e2847 * _e2743.u)) + (_e2891 * _e2743.v));
+            let _e2908 = abs(_e2777);
+            let _e2909 = abs(_e2790);
+            let _e2910 = abs(_e2803);
+            let _e2911 = abs(_e2821);
+            let _e2912 = abs(_e2834);
+            let _e2913 = abs(_e2847);
+            if (_e2908 > _e2911) {
+                phi_3560_ = _e2908;
             } else {
-                phi_3613_ = _e2871;
+                phi_3560_ = _e2911;
             }
-            let _e2876 = phi_3613_;
-            if (_e2869 > _e2872) {
-                phi_3618_ = _e2869;
+            let _e2916 = phi_3560_;
+            if (_e2909 > _e2912) {
+                phi_3565_ = _e2909;
             } else {
-                phi_3618_ = _e2872;
+                phi_3565_ = _e2912;
             }
-            let _e2879 = phi_3618_;
-            if (_e2870 > _e2873) {
-                phi_3623_ = _e2870;
+            let _e2919 = phi_3565_;
+            if (_e2910 > _e2913) {
+                phi_3570_ = _e2910;
             } else {
-                phi_3623_ = _e2873;
+                phi_3570_ = _e2913;
             }
-            let _e2882 = phi_3623_;
-            let _e2883 = abs(_e2822);
-            let _e2884 = abs(_e2835);
-            let _e2885 = abs(_e2848);
-            if (_e2876 > _e2883) {
-                phi_3631_ = _e2876;
+            let _e2922 = phi_3570_;
+            let _e2923 = abs(_e2865);
+            let _e2924 = abs(_e2878);
+            let _e2925 = abs(_e2891);
+            if (_e2916 > _e2923) {
+                phi_3578_ = _e2916;
             } else {
-                phi_3631_ = _e2883;
+                phi_3578_ = _e2923;
             }
-            let _e2888 = phi_3631_;
-            if (_e2879 > _e2884) {
-                phi_3636_ = _e2879;
+            let _e2928 = phi_3578_;
+            if (_e2919 > _e2924) {
+                phi_3583_ = _e2919;
             } else {
-                phi_3636_ = _e2884;
+                phi_3583_ = _e2924;
             }
-            let _e2891 = phi_3636_;
-            if (_e2882 > _e2885) {
-                phi_3641_ = _e2882;
+            let _e2931 = phi_3583_;
+            if (_e2922 > _e2925) {
+                phi_3588_ = _e2922;
             } else {
-                phi_3641_ = _e2885;
+                phi_3588_ = _e2925;
             }
-            let _e2894 = phi_3641_;
-            let _e2895 = (_e2778 - _e2734);
-            let _e2896 = (_e2791 - _e2747);
-            let _e2897 = (_e2804 - _e2760);
-            let _e2898 = (_e2822 - _e2734);
-            let _e2899 = (_e2835 - _e2747);
-            let _e2900 = (_e2848 - _e2760);
-            let _e2904 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2896), abs(_e2897));
-            let _e2905 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2895), _e2904);
-            let _e2906 = (_e2895 / _e2905);
-            let _e2907 = (_e2896 / _e2905);
-            let _e2908 = (_e2897 / _e2905);
-            let _e2912 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2899), abs(_e2900));
-            let _e2913 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2898), _e2912);
-            let _e2914 = (_e2898 / _e2913);
-            let _e2915 = (_e2899 / _e2913);
-            let _e2916 = (_e2900 / _e2913);
-            let _e2919 = ((_e2907 * _e2916) - (_e2915 * _e2908));
-            let _e2922 = ((_e2908 * _e2914) - (_e2916 * _e2906));
-            let _e2925 = ((_e2906 * _e2915) - (_e2914 * _e2907));
-            let _e2927 = p.member.eye;
-            let _e2936 = (1f / sqrt((((_e2919 * _e2919) + (_e2922 * _e2922)) + (_e2925 * _e2925))));
-            let _e2941 = lt_shaders_camera_facing(vec3<f32>((_e2919 * _e2936), (_e2922 * _e2936), (_e2925 * _e2936)), (_e2927 - vec3<f32>(_e2864, _e2865, _e2866)));
-            if (_e2702.triangle < _e76) {
+            let _e2934 = phi_3588_;
+            let _e2935 = (_e2821 - _e2777);
+            let _e2936 = (_e2834 - _e2790);
+            let _e2937 = (_e2847 - _e2803);
+            let _e2938 = (_e2865 - _e2777);
+            let _e2939 = (_e2878 - _e2790);
+            let _e2940 = (_e2891 - _e2803);
+            let _e2944 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2936), abs(_e2937));
+            let _e2945 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2935), _e2944);
+            let _e2946 = (_e2935 / _e2945);
+            let _e2947 = (_e2936 / _e2945);
+            let _e2948 = (_e2937 / _e2945);
+            let _e2952 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2939), abs(_e2940));
+            let _e2953 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2938), _e2952);
+            let _e2954 = (_e2938 / _e2953);
+            let _e2955 = (_e2939 / _e2953);
+            let _e2956 = (_e2940 / _e2953);
+            let _e2959 = ((_e2947 * _e2956) - (_e2955 * _e2948));
+            let _e2962 = ((_e2948 * _e2954) - (_e2956 * _e2946));
+            let _e2965 = ((_e2946 * _e2955) - (_e2954 * _e2947));
+            let _e2967 = p.member.eye;
+            let _e2980 = (1f / sqrt((((_e2959 * _e2959) + (_e2962 * _e2962)) + (_e2965 * _e2965))));
+            let _e2981 = (_e2959 * _e2980);
+            let _e2982 = (_e2962 * _e2980);
+            let _e2983 = (_e2965 * _e2980);
+            if ((((_e2981 * (_e2967.x - _e2904)) + (_e2982 * (_e2967.y - _e2905))) + (_e2983 * (_e2967.z - _e2906))) < 0f) {
+                phi_3652_ = vec3<f32>(-(_e2981), -(_e2982), -(_e2983));
+            } else {
+                phi_3652_ = vec3<f32>(_e2981, _e2982, _e2983);
+            }
+            let _e2996 = phi_3652_;
+            if (_e2743.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2946 = triangles.member[(0u + _e2702.triangle)];
-            let _e2948 = (_e2946.i0_ & 2147483647u);
-            if (_e2948 < _e79) {
+            let _e3001 = triangles.member[(0u + _e2743.triangle)];
+            let _e3003 = (_e3001.i0_ & 2147483647u);
+            if (_e3003 < _e82) {
             } else {
                 return;
             }
-            let _e2954 = vertices.member[(0u + _e2948)];
-            if (_e2946.i1_ < _e79) {
+            let _e3009 = vertices.member[(0u + _e3003)];
+            if (_e3001.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e2958 = vertices.member[(0u + _e2946.i1_)];
-            if (_e2946.i2_ < _e79) {
+            let _e3013 = vertices.member[(0u + _e3001.i1_)];
+            if (_e3001.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e2962 = vertices.member[(0u + _e2946.i2_)];
-            let _e2963 = array<abi_Vertex, 3>(_e2954, _e2958, _e2962);
-            local = array<abi_Vertex, 3>(abi_Vertex(_e2963[0].u, _e2963[0].v, _e2963[0].normal, _e2963[0].color, _e2963[0].material), abi_Vertex(_e2963[1].u, _e2963[1].v, _e2963[1].normal, _e2963[1].color, _e2963[1].material), abi_Vertex(_e2963[2].u, _e2963[2].v, _e2963[2].normal, _e2963[2].color, _e2963[2].material));
-            let _e2988 = local[0u].material;
-            if (_e2988 < _e82) {
+            let _e3017 = vertices.member[(0u + _e3001.i2_)];
+            let _e3018 = array<abi_Vertex, 3>(_e3009, _e3013, _e3017);
+            if (_e3018[0].material < _e85) {
             } else {
                 return;
             }
-            let _e2992 = materials.member[(0u + _e2988)];
-            local_1 = abi_Material(_e2992.base_color, _e2992.cutoff, _e2992.flags, _e2992.alpha_offset, _e2992.alpha_size, _e2992.color_offset, _e2992.color_size, _e2992.pad);
-            let _e3002 = lt_shaders_surface_plain_color((&local_1), (&local), _e2707);
-            let _e3003 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(_e2707);
-            let _e3005 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2891, _e2894);
-            let _e3006 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2888, _e3005);
-            let _e3008 = local_1.flags;
-            if ((_e3008 & 2u) == 0u) {
-                phi_3777_ = 0u;
+            let _e3024 = materials.member[(0u + _e3018[0].material)];
+            let _e3041 = (1f / 255f);
+            let _e3060 = (1f / 255f);
+            let _e3082 = (1f / 255f);
+            let _e3095 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2749, _e2743.u, _e2743.v));
+            let _e3097 = ((_e3024.base_color.x * ((((f32((_e3018[0].color & 255u)) * _e3041) * _e2749) + ((f32((_e3018[1].color & 255u)) * _e3060) * _e2743.u)) + ((f32((_e3018[2].color & 255u)) * _e3082) * _e2743.v))) * _e3095.x);
+            let _e3099 = ((_e3024.base_color.y * ((((f32(((_e3018[0].color >> bitcast<u32>(8i)) & 255u)) * _e3041) * _e2749) + ((f32(((_e3018[1].color >> bitcast<u32>(8i)) & 255u)) * _e3060) * _e2743.u)) + ((f32(((_e3018[2].color >> bitcast<u32>(8i)) & 255u)) * _e3082) * _e2743.v))) * _e3095.y);
+            let _e3101 = ((_e3024.base_color.z * ((((f32(((_e3018[0].color >> bitcast<u32>(16i)) & 255u)) * _e3041) * _e2749) + ((f32(((_e3018[1].color >> bitcast<u32>(16i)) & 255u)) * _e3060) * _e2743.u)) + ((f32(((_e3018[2].color >> bitcast<u32>(16i)) & 255u)) * _e3082) * _e2743.v))) * _e3095.z);
+            let _e3102 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2931, _e2934);
+            let _e3103 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2928, _e3102);
+            if ((_e3024.flags & 2u) == 0u) {
+                phi_3773_ = 0u;
             } else {
-                phi_3777_ = 1u;
+                phi_3773_ = 1u;
             }
-            let _e3012 = phi_3777_;
-            let _e3015 = local[0u].normal;
-            if (_e3015 == 2147516416u) {
-                phi_3877_ = _e2941;
+            let _e3108 = phi_3773_;
+            if (_e3018[0].normal == 2147516416u) {
+                phi_4003_ = _e2996;
             } else {
-                let _e3019 = local[0u].normal;
-                let _e3020 = lt_shaders_surface_octahedral_decode(_e3019);
-                let _e3030 = local[1u].normal;
-                let _e3031 = lt_shaders_surface_octahedral_decode(_e3030);
-                let _e3044 = local[2u].normal;
-                let _e3045 = lt_shaders_surface_octahedral_decode(_e3044);
-                let _e3053 = (((_e3020.x * _e2707.x) + (_e3031.x * _e2707.y)) + (_e3045.x * _e2707.z));
-                let _e3054 = (((_e3020.y * _e2707.x) + (_e3031.y * _e2707.y)) + (_e3045.y * _e2707.z));
-                let _e3055 = (((_e3020.z * _e2707.x) + (_e3031.z * _e2707.y)) + (_e3045.z * _e2707.z));
-                if (_e2702.instance < _e88) {
+                let _e3121 = (f32((bitcast<i32>((_e3018[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3127 = (f32((bitcast<i32>(_e3018[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3131 = ((1f - abs(_e3121)) - abs(_e3127));
+                if (_e3131 < 0f) {
+                    phi_3800_ = -(_e3131);
+                } else {
+                    phi_3800_ = 0f;
+                }
+                let _e3135 = phi_3800_;
+                if (_e3121 < 0f) {
+                    phi_3807_ = (_e3121 + _e3135);
+                } else {
+                    phi_3807_ = (_e3121 - _e3135);
+                }
+                let _e3140 = phi_3807_;
+                if (_e3127 < 0f) {
+                    phi_3814_ = (_e3127 + _e3135);
+                } else {
+                    phi_3814_ = (_e3127 - _e3135);
+                }
+                let _e3145 = phi_3814_;
+                let _e3152 = (1f / sqrt((((_e3140 * _e3140) + (_e3145 * _e3145)) + (_e3131 * _e3131))));
+                let _e3168 = (f32((bitcast<i32>((_e3018[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3174 = (f32((bitcast<i32>(_e3018[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3178 = ((1f - abs(_e3168)) - abs(_e3174));
+                if (_e3178 < 0f) {
+                    phi_3849_ = -(_e3178);
+                } else {
+                    phi_3849_ = 0f;
+                }
+                let _e3182 = phi_3849_;
+                if (_e3168 < 0f) {
+                    phi_3856_ = (_e3168 + _e3182);
+                } else {
+                    phi_3856_ = (_e3168 - _e3182);
+                }
+                let _e3187 = phi_3856_;
+                if (_e3174 < 0f) {
+                    phi_3863_ = (_e3174 + _e3182);
+                } else {
+                    phi_3863_ = (_e3174 - _e3182);
+                }
+                let _e3192 = phi_3863_;
+                let _e3199 = (1f / sqrt((((_e3187 * _e3187) + (_e3192 * _e3192)) + (_e3178 * _e3178))));
+                let _e3218 = (f32((bitcast<i32>((_e3018[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3224 = (f32((bitcast<i32>(_e3018[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3228 = ((1f - abs(_e3218)) - abs(_e3224));
+                if (_e3228 < 0f) {
+                    phi_3901_ = -(_e3228);
+                } else {
+                    phi_3901_ = 0f;
+                }
+                let _e3232 = phi_3901_;
+                if (_e3218 < 0f) {
+                    phi_3908_ = (_e3218 + _e3232);
+                } else {
+                    phi_3908_ = (_e3218 - _e3232);
+                }
+                let _e3237 = phi_3908_;
+                if (_e3224 < 0f) {
+                    phi_3915_ = (_e3224 + _e3232);
+                } else {
+                    phi_3915_ = (_e3224 - _e3232);
+                }
+                let _e3242 = phi_3915_;
+                let _e3249 = (1f / sqrt((((_e3237 * _e3237) + (_e3242 * _e3242)) + (_e3228 * _e3228))));
+                let _e3256 = ((((_e3140 * _e3152) * _e2749) + ((_e3187 * _e3199) * _e2743.u)) + ((_e3237 * _e3249) * _e2743.v));
+                let _e3257 = ((((_e3145 * _e3152) * _e2749) + ((_e3192 * _e3199) * _e2743.u)) + ((_e3242 * _e3249) * _e2743.v));
+                let _e3258 = ((((_e3131 * _e3152) * _e2749) + ((_e3178 * _e3199) * _e2743.u)) + ((_e3228 * _e3249) * _e2743.v));
+                if (_e2743.instance < _e91) {
                 } else {
                     return;
                 }
-                let _e3062 = instances.member[(0u + _e2702.instance)].world_to_object[0u];
-                let _e3071 = instances.member[(0u + _e2702.instance)].world_to_object[1u];
-                let _e3083 = instances.member[(0u + _e2702.instance)].world_to_object[2u];
-                let _e3090 = (((_e3062.x * _e3053) + (_e3071.x * _e3054)) + (_e3083.x * _e3055));
-                let _e3091 = (((_e3062.y * _e3053) + (_e3071.y * _e3054)) + (_e3083.y * _e3055));
-                let _e3092 = (((_e3062.z * _e3053) + (_e3071.z * _e3054)) + (_e3083.z * _e3055));
-                let _e3098 = sqrt((((_e3090 * _e3090) + (_e3091 * _e3091)) + (_e3092 * _e3092)));
-                if (_e3098 > 0f) {
-                    let _e3104 = lt_shaders_camera_facing(vec3<f32>((_e3090 / _e3098), (_e3091 / _e3098), (_e3092 / _e3098)), _e2941);
-                    phi_3876_ = _e3104;
+                let _e3265 = instances.member[(0u + _e2743.instance)].world_to_object[0u];
+                let _e3274 = instances.member[(0u + _e2743.instance)].world_to_object[1u];
+                let _e3286 = instances.member[(0u + _e2743.instance)].world_to_object[2u];
+                let _e3293 = (((_e3265.x * _e3256) + (_e3274.x * _e3257)) + (_e3286.x * _e3258));
+                let _e3294 = (((_e3265.y * _e3256) + (_e3274.y * _e3257)) + (_e3286.y * _e3258));
+                let _e3295 = (((_e3265.z * _e3256) + (_e3274.z * _e3257)) + (_e3286.z * _e3258));
+                let _e3301 = sqrt((((_e3293 * _e3293) + (_e3294 * _e3294)) + (_e3295 * _e3295)));
+                if (_e3301 > 0f) {
+                    let _e3303 = (_e3293 / _e3301);
+                    let _e3304 = (_e3294 / _e3301);
+                    let _e3305 = (_e3295 / _e3301);
+                    if ((((_e3303 * _e2996.x) + (_e3304 * _e2996.y)) + (_e3305 * _e2996.z)) < 0f) {
+                        phi_4001_ = vec3<f32>(-(_e3303), -(_e3304), -(_e3305));
+                    } else {
+                        phi_4001_ = vec3<f32>(_e3303, _e3304, _e3305);
+                    }
+                    let _e3321 = phi_4001_;
+                    phi_4002_ = _e3321;
                 } else {
-                    phi_3876_ = _e2941;
+                    phi_4002_ = _e2996;
                 }
-                let _e3106 = phi_3876_;
-                phi_3877_ = _e3106;
+                let _e3323 = phi_4002_;
+                phi_4003_ = _e3323;
             }
-            let _e3108 = phi_3877_;
-            let _e3109 = lt_shaders_shade_pack_albedo((_e3002 * _e3003));
-            phi_3881_ = abi_Sample(vec3<f32>(_e2864, _e2865, _e2866), _e3006, _e2941, _e3012, _e3108, _e3109);
+            let _e3325 = phi_4003_;
+            if (_e3097 > 0f) {
+                if (_e3097 < 1f) {
+                    phi_4012_ = _e3097;
+                } else {
+                    phi_4012_ = 1f;
+                }
+                let _e3329 = phi_4012_;
+                phi_4013_ = _e3329;
+            } else {
+                phi_4013_ = 0f;
+            }
+            let _e3331 = phi_4013_;
+            if (_e3099 > 0f) {
+                if (_e3099 < 1f) {
+                    phi_4023_ = _e3099;
+                } else {
+                    phi_4023_ = 1f;
+                }
+                let _e3336 = phi_4023_;
+                phi_4024_ = _e3336;
+            } else {
+                phi_4024_ = 0f;
+            }
+            let _e3338 = phi_4024_;
+            if (_e3101 > 0f) {
+                if (_e3101 < 1f) {
+                    phi_4034_ = _e3101;
+                } else {
+                    phi_4034_ = 1f;
+                }
+                let _e3343 = phi_4034_;
+                phi_4035_ = _e3343;
+            } else {
+                phi_4035_ = 0f;
+            }
+            let _e3345 = phi_4035_;
+            let _e3348 = ((sqrt(_e3331) * 255f) + 0.5f);
+            let _e3357 = ((sqrt(_e3338) * 255f) + 0.5f);
+            let _e3369 = ((sqrt(_e3345) * 255f) + 0.5f);
+            phi_4070_ = abi_Sample(vec3<f32>(_e2904, _e2905, _e2906), _e3103, _e2996, _e3108, _e3325, ((select(select(u32(_e3348), 0u, (_e3348 < bitcast<f32>(0u))), 4294967295u, (_e3348 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3357), 0u, (_e3357 < bitcast<f32>(0u))), 4294967295u, (_e3357 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3369), 0u, (_e3369 < bitcast<f32>(0u))), 4294967295u, (_e3369 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3881_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4070_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3113 = phi_3881_;
-        if (_e97.first_primitive < arrayLength((&samples.member))) {
+        let _e3383 = phi_4070_;
+        if (_e100.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e97.first_primitive)] = _e3113;
+        samples.member[(0u + _e100.first_primitive)] = _e3383;
     }
     return;
 }

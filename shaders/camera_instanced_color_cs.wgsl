@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -21,11 +13,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -40,11 +40,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -70,7 +70,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_40 {
+struct type_36 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -96,7 +96,7 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_49 {
+struct type_45 {
     member: array<abi_Sample>,
 }
 
@@ -113,7 +113,7 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct type_58 {
+struct type_53 {
     member: abi_CameraParams,
 }
 
@@ -125,7 +125,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_63 {
+struct type_58 {
     member: array<lt_bvh_Node>,
 }
 
@@ -157,2581 +157,2857 @@ struct lt_bvh_triangle_Intersection {
 }
 
 @group(0) @binding(3) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(4) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_58;
+var<uniform> p: type_53;
 @group(0) @binding(1) 
-var<storage> nodes: type_63;
+var<storage> nodes: type_58;
 @group(0) @binding(2) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_49;
+var<storage, read_write> samples: type_45;
 @group(0) @binding(6) 
-var<storage> instances: type_40;
+var<storage> instances: type_36;
 @group(0) @binding(7) 
-var<storage> color_texels: type_22;
+var<storage> color_texels: type_20;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e77 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e77), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e77), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e77), (f32((param >> bitcast<u32>(24i))) * _e77));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_238_: f32;
+    var phi_243_: f32;
+    var phi_244_: bool;
+    var phi_245_: f32;
+    var phi_246_: bool;
+    var phi_250_: f32;
+    var phi_276_: f32;
+    var phi_281_: f32;
+    var phi_282_: bool;
+    var phi_283_: f32;
+    var phi_284_: bool;
+    var phi_288_: f32;
+    var phi_296_: f32;
+    var phi_297_: f32;
+    var phi_298_: f32;
+    var phi_307_: f32;
+    var phi_308_: f32;
+    var phi_326_: u32;
+    var phi_340_: u32;
+    var phi_347_: u32;
+    var phi_352_: u32;
+    var phi_358_: u32;
+    var phi_363_: u32;
+    var phi_365_: texture_Axis;
+    var phi_393_: f32;
+    var phi_398_: f32;
+    var phi_399_: bool;
+    var phi_400_: f32;
+    var phi_401_: bool;
+    var phi_405_: f32;
+    var phi_431_: f32;
+    var phi_436_: f32;
+    var phi_437_: bool;
+    var phi_438_: f32;
+    var phi_439_: bool;
+    var phi_443_: f32;
+    var phi_451_: f32;
+    var phi_452_: f32;
+    var phi_453_: f32;
+    var phi_462_: f32;
+    var phi_463_: f32;
+    var phi_481_: u32;
+    var phi_495_: u32;
+    var phi_502_: u32;
+    var phi_507_: u32;
+    var phi_513_: u32;
+    var phi_518_: u32;
+    var phi_520_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e67 = (*param_1)[0u].color;
-    let _e68 = lt_shaders_texture_unorm_bytes(_e67);
-    let _e80 = (*param_1)[1u].color;
-    let _e81 = lt_shaders_texture_unorm_bytes(_e80);
-    let _e97 = (*param_1)[2u].color;
-    let _e98 = lt_shaders_texture_unorm_bytes(_e97);
-    return vec4<f32>((((_e68.x * param_2.x) + (_e81.x * param_2.y)) + (_e98.x * param_2.z)), (((_e68.y * param_2.x) + (_e81.y * param_2.y)) + (_e98.y * param_2.z)), (((_e68.z * param_2.x) + (_e81.z * param_2.y)) + (_e98.z * param_2.z)), (((_e68.w * param_2.x) + (_e81.w * param_2.y)) + (_e98.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e67 = (*param_3)[0u].u;
-    let _e70 = (*param_3)[0u].v;
-    let _e76 = (*param_3)[1u].u;
-    let _e79 = (*param_3)[1u].v;
-    let _e87 = (*param_3)[2u].u;
-    let _e90 = (*param_3)[2u].v;
-    return vec2<f32>((((_e67 * param_4.x) + (_e76 * param_4.y)) + (_e87 * param_4.z)), (((_e70 * param_4.x) + (_e79 * param_4.y)) + (_e90 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_480_: f32;
-    var phi_481_: f32;
-    var phi_482_: f32;
-    var phi_491_: f32;
-    var phi_492_: f32;
-
-    if (param_6 == 0u) {
-        phi_482_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e72 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e72 > 1f) {
-                phi_480_ = (2f - _e72);
+    let _e73 = (*param).size;
+    let _e74 = (_e73 & 65535u);
+    let _e76 = (*param).size;
+    let _e78 = (_e76 >> bitcast<u32>(16i));
+    let _e80 = (*param).flags;
+    let _e82 = ((_e80 & 4u) != 0u);
+    let _e84 = (*param).flags;
+    let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
+    if (_e87 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e100 > param_1) {
+                phi_238_ = 1f;
             } else {
-                phi_480_ = _e72;
+                phi_238_ = 0f;
             }
-            let _e76 = phi_480_;
-            phi_481_ = _e76;
+            let _e103 = phi_238_;
+            if (param_1 < 8388608f) {
+                phi_243_ = (_e100 - _e103);
+                phi_244_ = false;
+            } else {
+                phi_243_ = f32();
+                phi_244_ = true;
+            }
+            let _e106 = phi_243_;
+            let _e108 = phi_244_;
+            phi_245_ = _e106;
+            phi_246_ = _e108;
         } else {
-            phi_481_ = param_5;
+            phi_245_ = f32();
+            phi_246_ = true;
         }
-        let _e78 = phi_481_;
-        phi_482_ = _e78;
-    }
-    let _e80 = phi_482_;
-    if (_e80 > 0f) {
-        if (_e80 < 1f) {
-            phi_491_ = _e80;
+        let _e110 = phi_245_;
+        let _e112 = phi_246_;
+        if _e112 {
+            phi_250_ = param_1;
         } else {
-            phi_491_ = 1f;
+            phi_250_ = _e110;
         }
-        let _e84 = phi_491_;
-        phi_492_ = _e84;
+        let _e114 = phi_250_;
+        phi_298_ = (param_1 - _e114);
     } else {
-        phi_492_ = 0f;
-    }
-    let _e86 = phi_492_;
-    return _e86;
-}
-
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_418_: u32;
-    var phi_432_: u32;
-    var phi_439_: u32;
-    var phi_444_: u32;
-    var phi_450_: u32;
-    var phi_455_: u32;
-    var phi_457_: texture_Axis;
-
-    let _e67 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e68 = (param_8 - 1u);
-    let _e70 = (_e67 * f32(param_8));
-    if param_10 {
-        let _e77 = select(select(u32(_e70), 0u, (_e70 < bitcast<f32>(0u))), 4294967295u, (_e70 > bitcast<f32>(1333788671u)));
-        if (_e68 < _e77) {
-            phi_418_ = _e68;
+        if (_e87 == 1u) {
+            let _e117 = (param_1 * 0.5f);
+            if (_e117 > -8388608f) {
+                let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
+                if (_e129 > _e117) {
+                    phi_276_ = 1f;
+                } else {
+                    phi_276_ = 0f;
+                }
+                let _e132 = phi_276_;
+                if (_e117 < 8388608f) {
+                    phi_281_ = (_e129 - _e132);
+                    phi_282_ = false;
+                } else {
+                    phi_281_ = f32();
+                    phi_282_ = true;
+                }
+                let _e135 = phi_281_;
+                let _e137 = phi_282_;
+                phi_283_ = _e135;
+                phi_284_ = _e137;
+            } else {
+                phi_283_ = f32();
+                phi_284_ = true;
+            }
+            let _e139 = phi_283_;
+            let _e141 = phi_284_;
+            if _e141 {
+                phi_288_ = _e117;
+            } else {
+                phi_288_ = _e139;
+            }
+            let _e143 = phi_288_;
+            let _e145 = (param_1 - (2f * _e143));
+            if (_e145 > 1f) {
+                phi_296_ = (2f - _e145);
+            } else {
+                phi_296_ = _e145;
+            }
+            let _e149 = phi_296_;
+            phi_297_ = _e149;
         } else {
-            phi_418_ = _e77;
+            phi_297_ = param_1;
         }
-        let _e80 = phi_418_;
-        phi_457_ = texture_Axis(_e80, _e80, 0f);
+        let _e151 = phi_297_;
+        phi_298_ = _e151;
+    }
+    let _e153 = phi_298_;
+    if (_e153 > 0f) {
+        if (_e153 < 1f) {
+            phi_307_ = _e153;
+        } else {
+            phi_307_ = 1f;
+        }
+        let _e157 = phi_307_;
+        phi_308_ = _e157;
     } else {
-        let _e82 = (_e70 + 0.5f);
-        let _e89 = select(select(u32(_e82), 0u, (_e82 < bitcast<f32>(0u))), 4294967295u, (_e82 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e89) {
-            phi_432_ = param_8;
-        } else {
-            phi_432_ = _e89;
-        }
-        let _e92 = phi_432_;
-        if (param_9 == 0u) {
-            phi_439_ = _e68;
-        } else {
-            phi_439_ = 0u;
-        }
-        let _e97 = phi_439_;
-        if (param_9 == 0u) {
-            phi_444_ = 0u;
-        } else {
-            phi_444_ = _e68;
-        }
-        let _e100 = phi_444_;
-        if (_e92 == 0u) {
-            phi_450_ = _e97;
-        } else {
-            phi_450_ = (_e92 - 1u);
-        }
-        let _e104 = phi_450_;
-        if (_e92 > _e68) {
-            phi_455_ = _e100;
-        } else {
-            phi_455_ = _e92;
-        }
-        let _e107 = phi_455_;
-        phi_457_ = texture_Axis(_e104, _e107, (_e82 - f32(_e92)));
+        phi_308_ = 0f;
     }
-    let _e110 = phi_457_;
-    return _e110;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e67 = (*param_11).size;
-    let _e68 = (_e67 & 65535u);
-    let _e70 = (*param_11).size;
-    let _e74 = (*param_11).flags;
-    let _e76 = ((_e74 & 4u) != 0u);
-    let _e78 = (*param_11).flags;
-    let _e82 = lt_shaders_texture_axis(param_12, _e68, ((_e78 >> bitcast<u32>(4u)) & 3u), _e76);
-    let _e84 = (*param_11).flags;
-    let _e88 = lt_shaders_texture_axis(param_13, (_e70 >> bitcast<u32>(16i)), ((_e84 >> bitcast<u32>(6u)) & 3u), _e76);
-    let _e92 = (*param_11).offset;
-    let _e99 = (*param_11).offset;
-    let _e106 = (*param_11).offset;
-    let _e113 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e92 + (_e88.low * _e68)) + _e82.low), ((_e99 + (_e88.low * _e68)) + _e82.high), ((_e106 + (_e88.high * _e68)) + _e82.low), ((_e113 + (_e88.high * _e68)) + _e82.high)), vec4<f32>(((1f - _e82.fraction) * (1f - _e88.fraction)), (_e82.fraction * (1f - _e88.fraction)), ((1f - _e82.fraction) * _e88.fraction), (_e82.fraction * _e88.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_14: vec3<u32>, param_15: u32, param_16: u32) -> lt_bvh_traverse_Tree {
-    var phi_512_: lt_bvh_traverse_Tree;
-    var phi_513_: bool;
-    var phi_514_: lt_bvh_traverse_Tree;
-    var phi_515_: bool;
-    var phi_520_: lt_bvh_traverse_Tree;
-
-    if (param_14.x < param_15) {
-        if (param_14.y < param_16) {
-            phi_512_ = lt_bvh_traverse_Tree(1u, ((param_14.y * param_15) + param_14.x));
-            phi_513_ = false;
-        } else {
-            phi_512_ = lt_bvh_traverse_Tree();
-            phi_513_ = true;
-        }
-        let _e76 = phi_512_;
-        let _e78 = phi_513_;
-        phi_514_ = _e76;
-        phi_515_ = _e78;
-    } else {
-        phi_514_ = lt_bvh_traverse_Tree();
-        phi_515_ = true;
-    }
-    let _e80 = phi_514_;
-    let _e82 = phi_515_;
+    let _e159 = phi_308_;
+    let _e160 = (_e74 - 1u);
+    let _e162 = (_e159 * f32(_e74));
     if _e82 {
-        phi_520_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_520_ = _e80;
-    }
-    let _e87 = phi_520_;
-    return lt_bvh_traverse_Tree(_e87.root, _e87.first_primitive);
-}
-
-fn lt_shaders_shade_unit(param_17: f32) -> f32 {
-    var phi_534_: f32;
-    var phi_535_: f32;
-
-    if (param_17 > 0f) {
-        if (param_17 < 1f) {
-            phi_534_ = param_17;
+        let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
+        if (_e160 < _e169) {
+            phi_326_ = _e160;
         } else {
-            phi_534_ = 1f;
+            phi_326_ = _e169;
         }
-        let _e67 = phi_534_;
-        phi_535_ = _e67;
+        let _e172 = phi_326_;
+        phi_365_ = texture_Axis(_e172, _e172, 0f);
     } else {
-        phi_535_ = 0f;
+        let _e174 = (_e162 + 0.5f);
+        let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
+        if (_e74 < _e181) {
+            phi_340_ = _e74;
+        } else {
+            phi_340_ = _e181;
+        }
+        let _e184 = phi_340_;
+        if (_e87 == 0u) {
+            phi_347_ = _e160;
+        } else {
+            phi_347_ = 0u;
+        }
+        let _e189 = phi_347_;
+        if (_e87 == 0u) {
+            phi_352_ = 0u;
+        } else {
+            phi_352_ = _e160;
+        }
+        let _e192 = phi_352_;
+        if (_e184 == 0u) {
+            phi_358_ = _e189;
+        } else {
+            phi_358_ = (_e184 - 1u);
+        }
+        let _e196 = phi_358_;
+        if (_e184 > _e160) {
+            phi_363_ = _e192;
+        } else {
+            phi_363_ = _e184;
+        }
+        let _e199 = phi_363_;
+        phi_365_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e69 = phi_535_;
-    return _e69;
+    let _e202 = phi_365_;
+    let _e204 = (*param).flags;
+    let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
+    if (_e207 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e220 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e220 > param_2) {
+                phi_393_ = 1f;
+            } else {
+                phi_393_ = 0f;
+            }
+            let _e223 = phi_393_;
+            if (param_2 < 8388608f) {
+                phi_398_ = (_e220 - _e223);
+                phi_399_ = false;
+            } else {
+                phi_398_ = f32();
+                phi_399_ = true;
+            }
+            let _e226 = phi_398_;
+            let _e228 = phi_399_;
+            phi_400_ = _e226;
+            phi_401_ = _e228;
+        } else {
+            phi_400_ = f32();
+            phi_401_ = true;
+        }
+        let _e230 = phi_400_;
+        let _e232 = phi_401_;
+        if _e232 {
+            phi_405_ = param_2;
+        } else {
+            phi_405_ = _e230;
+        }
+        let _e234 = phi_405_;
+        phi_453_ = (param_2 - _e234);
+    } else {
+        if (_e207 == 1u) {
+            let _e237 = (param_2 * 0.5f);
+            if (_e237 > -8388608f) {
+                let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
+                if (_e249 > _e237) {
+                    phi_431_ = 1f;
+                } else {
+                    phi_431_ = 0f;
+                }
+                let _e252 = phi_431_;
+                if (_e237 < 8388608f) {
+                    phi_436_ = (_e249 - _e252);
+                    phi_437_ = false;
+                } else {
+                    phi_436_ = f32();
+                    phi_437_ = true;
+                }
+                let _e255 = phi_436_;
+                let _e257 = phi_437_;
+                phi_438_ = _e255;
+                phi_439_ = _e257;
+            } else {
+                phi_438_ = f32();
+                phi_439_ = true;
+            }
+            let _e259 = phi_438_;
+            let _e261 = phi_439_;
+            if _e261 {
+                phi_443_ = _e237;
+            } else {
+                phi_443_ = _e259;
+            }
+            let _e263 = phi_443_;
+            let _e265 = (param_2 - (2f * _e263));
+            if (_e265 > 1f) {
+                phi_451_ = (2f - _e265);
+            } else {
+                phi_451_ = _e265;
+            }
+            let _e269 = phi_451_;
+            phi_452_ = _e269;
+        } else {
+            phi_452_ = param_2;
+        }
+        let _e271 = phi_452_;
+        phi_453_ = _e271;
+    }
+    let _e273 = phi_453_;
+    if (_e273 > 0f) {
+        if (_e273 < 1f) {
+            phi_462_ = _e273;
+        } else {
+            phi_462_ = 1f;
+        }
+        let _e277 = phi_462_;
+        phi_463_ = _e277;
+    } else {
+        phi_463_ = 0f;
+    }
+    let _e279 = phi_463_;
+    let _e280 = (_e78 - 1u);
+    let _e282 = (_e279 * f32(_e78));
+    if _e82 {
+        let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
+        if (_e280 < _e289) {
+            phi_481_ = _e280;
+        } else {
+            phi_481_ = _e289;
+        }
+        let _e292 = phi_481_;
+        phi_520_ = texture_Axis(_e292, _e292, 0f);
+    } else {
+        let _e294 = (_e282 + 0.5f);
+        let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
+        if (_e78 < _e301) {
+            phi_495_ = _e78;
+        } else {
+            phi_495_ = _e301;
+        }
+        let _e304 = phi_495_;
+        if (_e207 == 0u) {
+            phi_502_ = _e280;
+        } else {
+            phi_502_ = 0u;
+        }
+        let _e309 = phi_502_;
+        if (_e207 == 0u) {
+            phi_507_ = 0u;
+        } else {
+            phi_507_ = _e280;
+        }
+        let _e312 = phi_507_;
+        if (_e304 == 0u) {
+            phi_513_ = _e309;
+        } else {
+            phi_513_ = (_e304 - 1u);
+        }
+        let _e316 = phi_513_;
+        if (_e304 > _e280) {
+            phi_518_ = _e312;
+        } else {
+            phi_518_ = _e304;
+        }
+        let _e319 = phi_518_;
+        phi_520_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+    }
+    let _e322 = phi_520_;
+    let _e326 = (*param).offset;
+    let _e333 = (*param).offset;
+    let _e340 = (*param).offset;
+    let _e347 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
 }
 
-fn lt_shaders_shade_sqrt(param_18: f32) -> f32 {
-    return sqrt(param_18);
-}
-
-fn lt_shaders_shade_pack_bytes(param_19: vec3<f32>) -> u32 {
-    let _e66 = ((param_19.x * 255f) + 0.5f);
-    let _e76 = ((param_19.y * 255f) + 0.5f);
-    let _e89 = ((param_19.z * 255f) + 0.5f);
-    return ((select(select(u32(_e66), 0u, (_e66 < bitcast<f32>(0u))), 4294967295u, (_e66 > bitcast<f32>(1333788671u))) | (select(select(u32(_e76), 0u, (_e76 < bitcast<f32>(0u))), 4294967295u, (_e76 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e89), 0u, (_e89 < bitcast<f32>(0u))), 4294967295u, (_e89 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i)));
-}
-
-fn _lt_bvh_ray_Ray_new(param_20: vec3<f32>, param_21: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_20, 0f, param_21, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_22: f32, param_23: f32) -> f32 {
+fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
+    var phi_587_: lt_bvh_traverse_Tree;
+    var phi_588_: bool;
+    var phi_589_: lt_bvh_traverse_Tree;
     var phi_590_: bool;
-    var phi_594_: f32;
+    var phi_595_: lt_bvh_traverse_Tree;
 
-    if (param_22 != param_22) {
+    if (param_3.x < param_4) {
+        if (param_3.y < param_5) {
+            phi_587_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
+            phi_588_ = false;
+        } else {
+            phi_587_ = lt_bvh_traverse_Tree();
+            phi_588_ = true;
+        }
+        let _e82 = phi_587_;
+        let _e84 = phi_588_;
+        phi_589_ = _e82;
+        phi_590_ = _e84;
+    } else {
+        phi_589_ = lt_bvh_traverse_Tree();
         phi_590_ = true;
+    }
+    let _e86 = phi_589_;
+    let _e88 = phi_590_;
+    if _e88 {
+        phi_595_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        let _e66 = (param_23 >= param_22);
-        if _e66 {
+        phi_595_ = _e86;
+    }
+    let _e93 = phi_595_;
+    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+}
+
+fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
+}
+
+fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
+    var phi_614_: bool;
+    var phi_618_: f32;
+
+    if (param_8 != param_8) {
+        phi_614_ = true;
+    } else {
+        let _e72 = (param_9 >= param_8);
+        if _e72 {
         }
-        phi_590_ = _e66;
+        phi_614_ = _e72;
     }
-    let _e68 = phi_590_;
-    if _e68 {
-        phi_594_ = param_23;
+    let _e74 = phi_614_;
+    if _e74 {
+        phi_618_ = param_9;
     } else {
-        phi_594_ = param_22;
+        phi_618_ = param_8;
     }
-    let _e70 = phi_594_;
-    return _e70;
+    let _e76 = phi_618_;
+    return _e76;
 }
 
-fn core_intrinsics_minimum_number_nsz_f32_(param_24: f32, param_25: f32) -> f32 {
-    var phi_606_: bool;
-    var phi_610_: f32;
+fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
+    var phi_630_: bool;
+    var phi_634_: f32;
 
-    if (param_24 != param_24) {
-        phi_606_ = true;
+    if (param_10 != param_10) {
+        phi_630_ = true;
     } else {
-        let _e66 = (param_25 <= param_24);
-        if _e66 {
+        let _e72 = (param_11 <= param_10);
+        if _e72 {
         }
-        phi_606_ = _e66;
+        phi_630_ = _e72;
     }
-    let _e68 = phi_606_;
-    if _e68 {
-        phi_610_ = param_25;
+    let _e74 = phi_630_;
+    if _e74 {
+        phi_634_ = param_11;
     } else {
-        phi_610_ = param_24;
+        phi_634_ = param_10;
     }
-    let _e70 = phi_610_;
-    return _e70;
+    let _e76 = phi_634_;
+    return _e76;
 }
 
-fn lt_shaders_surface_barycentric_weights(param_26: f32, param_27: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_26) - param_27), param_26, param_27);
-}
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
+    var phi_642_: f32;
 
-fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_28: f32, param_29: f32) -> f32 {
-    var phi_624_: f32;
-
-    if (param_28 > param_29) {
-        phi_624_ = param_28;
+    if (param_12 > param_13) {
+        phi_642_ = param_12;
     } else {
-        phi_624_ = param_29;
+        phi_642_ = param_13;
     }
-    let _e67 = phi_624_;
-    return _e67;
-}
-
-fn lt_shaders_camera_facing(param_30: vec3<f32>, param_31: vec3<f32>) -> vec3<f32> {
-    var phi_644_: vec3<f32>;
-
-    if ((((param_30.x * param_31.x) + (param_30.y * param_31.y)) + (param_30.z * param_31.z)) < 0f) {
-        phi_644_ = -(param_30);
-    } else {
-        phi_644_ = param_30;
-    }
-    let _e79 = phi_644_;
-    return _e79;
-}
-
-fn lt_shaders_surface_plain_color(param_32: ptr<function, abi_Material>, param_33: ptr<function, array<abi_Vertex, 3>>, param_34: vec3<f32>) -> vec3<f32> {
-    let _e67 = (*param_32).base_color;
-    let _e71 = lt_shaders_surface_vertex_color(param_33, param_34);
-    return vec3<f32>((_e67.x * _e71.x), (_e67.y * _e71.y), (_e67.z * _e71.z));
-}
-
-fn lt_shaders_surface_octahedral_decode(param_35: u32) -> vec3<f32> {
-    var phi_684_: f32;
-    var phi_691_: f32;
-    var phi_698_: f32;
-
-    let _e71 = (f32((bitcast<i32>((param_35 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e77 = (f32((bitcast<i32>(param_35) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e81 = ((1f - abs(_e71)) - abs(_e77));
-    if (_e81 < 0f) {
-        phi_684_ = -(_e81);
-    } else {
-        phi_684_ = 0f;
-    }
-    let _e85 = phi_684_;
-    if (_e71 < 0f) {
-        phi_691_ = (_e71 + _e85);
-    } else {
-        phi_691_ = (_e71 - _e85);
-    }
-    let _e90 = phi_691_;
-    if (_e77 < 0f) {
-        phi_698_ = (_e77 + _e85);
-    } else {
-        phi_698_ = (_e77 - _e85);
-    }
-    let _e95 = phi_698_;
-    let _e102 = (1f / sqrt((((_e90 * _e90) + (_e95 * _e95)) + (_e81 * _e81))));
-    return vec3<f32>((_e90 * _e102), (_e95 * _e102), (_e81 * _e102));
-}
-
-fn lt_shaders_shade_pack_albedo(param_36: vec3<f32>) -> u32 {
-    let _e65 = lt_shaders_shade_unit(param_36.x);
-    let _e66 = lt_shaders_shade_sqrt(_e65);
-    let _e68 = lt_shaders_shade_unit(param_36.y);
-    let _e69 = lt_shaders_shade_sqrt(_e68);
-    let _e71 = lt_shaders_shade_unit(param_36.z);
-    let _e72 = lt_shaders_shade_sqrt(_e71);
-    let _e74 = lt_shaders_shade_pack_bytes(vec3<f32>(_e66, _e69, _e72));
-    return _e74;
+    let _e73 = phi_642_;
+    return _e73;
 }
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<abi_Vertex, 3>;
-    var local_2: abi_Material;
-    var local_3: lt_bvh_traverse_Stack;
-    var local_4: lt_bvh_traverse_Stack;
-    var phi_873_: bool;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_879_: bool;
-    var phi_880_: bool;
-    var phi_881_: bool;
-    var phi_882_: bool;
-    var phi_883_: bool;
-    var phi_884_: bool;
-    var phi_885_: bool;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_888_: bool;
-    var phi_889_: bool;
-    var phi_890_: bool;
-    var phi_891_: bool;
-    var phi_892_: bool;
-    var phi_893_: bool;
-    var phi_894_: bool;
-    var phi_895_: bool;
-    var phi_896_: bool;
-    var phi_900_: bool;
-    var phi_904_: bool;
-    var phi_979_: f32;
-    var phi_986_: f32;
-    var phi_994_: f32;
-    var phi_1001_: f32;
-    var phi_1009_: f32;
-    var phi_1016_: f32;
-    var phi_1041_: f32;
-    var phi_1046_: f32;
-    var phi_1051_: f32;
-    var phi_1073_: u32;
-    var phi_1078_: u32;
-    var phi_1083_: u32;
-    var phi_1197_: bool;
-    var phi_1198_: bool;
-    var phi_1229_: u32;
-    var phi_1231_: u32;
-    var phi_1234_: lt_bvh_Hit;
-    var phi_1319_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1346_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1373_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1379_: u32;
-    var phi_1382_: u32;
-    var phi_1396_: u32;
-    var phi_1406_: u32;
-    var phi_1416_: u32;
-    var phi_1434_: u32;
-    var phi_1444_: u32;
-    var phi_1454_: u32;
-    var phi_1490_: u32;
-    var phi_1503_: u32;
-    var phi_1508_: u32;
-    var phi_1509_: u32;
-    var phi_1510_: u32;
-    var phi_1380_: u32;
-    var phi_1383_: u32;
+    var local_1: lt_bvh_traverse_Stack;
+    var local_2: lt_bvh_traverse_Stack;
+    var phi_791_: bool;
+    var phi_792_: bool;
+    var phi_793_: bool;
+    var phi_797_: bool;
+    var phi_798_: bool;
+    var phi_799_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_809_: bool;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_818_: bool;
+    var phi_822_: bool;
+    var phi_897_: f32;
+    var phi_904_: f32;
+    var phi_912_: f32;
+    var phi_919_: f32;
+    var phi_927_: f32;
+    var phi_934_: f32;
+    var phi_959_: f32;
+    var phi_964_: f32;
+    var phi_969_: f32;
+    var phi_991_: u32;
+    var phi_996_: u32;
+    var phi_1001_: u32;
+    var phi_1115_: bool;
+    var phi_1116_: bool;
+    var phi_1147_: u32;
+    var phi_1149_: u32;
+    var phi_1152_: lt_bvh_Hit;
+    var phi_1237_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1264_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1291_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1297_: u32;
+    var phi_1300_: u32;
+    var phi_1314_: u32;
+    var phi_1324_: u32;
+    var phi_1334_: u32;
+    var phi_1352_: u32;
+    var phi_1362_: u32;
+    var phi_1372_: u32;
+    var phi_1408_: u32;
+    var phi_1421_: u32;
+    var phi_1426_: u32;
+    var phi_1427_: u32;
+    var phi_1428_: u32;
+    var phi_1298_: u32;
+    var phi_1301_: u32;
+    var local_3: u32;
+    var local_4: u32;
     var local_5: u32;
+    var phi_1486_: u32;
+    var phi_1489_: lt_bvh_Hit;
+    var phi_1544_: f32;
+    var phi_1549_: f32;
+    var phi_1554_: f32;
+    var phi_1562_: f32;
+    var phi_1567_: f32;
+    var phi_1572_: f32;
+    var phi_1728_: bool;
+    var phi_1729_: bool;
+    var phi_1730_: bool;
+    var phi_1734_: bool;
+    var phi_1735_: bool;
+    var phi_1736_: bool;
+    var phi_1737_: bool;
+    var phi_1738_: bool;
+    var phi_1739_: bool;
+    var phi_1740_: bool;
+    var phi_1741_: bool;
+    var phi_1742_: bool;
+    var phi_1743_: bool;
+    var phi_1744_: bool;
+    var phi_1745_: bool;
+    var phi_1746_: bool;
+    var phi_1747_: bool;
+    var phi_1748_: bool;
+    var phi_1749_: bool;
+    var phi_1750_: bool;
+    var phi_1751_: bool;
+    var phi_1755_: bool;
+    var phi_1759_: bool;
+    var phi_1829_: f32;
+    var phi_1836_: f32;
+    var phi_1843_: f32;
+    var phi_1850_: f32;
+    var phi_1857_: f32;
+    var phi_1864_: f32;
+    var phi_1881_: f32;
+    var phi_1886_: f32;
+    var phi_1891_: f32;
+    var phi_1919_: bool;
+    var phi_1920_: bool;
+    var phi_1928_: u32;
+    var phi_1929_: u32;
+    var phi_1940_: vec3<f32>;
+    var phi_1941_: vec3<f32>;
+    var phi_1954_: u32;
+    var phi_1959_: u32;
+    var phi_1964_: u32;
+    var phi_2078_: bool;
+    var phi_2079_: bool;
+    var phi_2110_: u32;
+    var phi_2112_: lt_bvh_Hit;
+    var phi_2115_: u32;
+    var phi_2196_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2223_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2250_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2256_: u32;
+    var phi_2259_: u32;
+    var phi_2273_: u32;
+    var phi_2283_: u32;
+    var phi_2293_: u32;
+    var phi_2311_: u32;
+    var phi_2321_: u32;
+    var phi_2331_: u32;
+    var phi_2367_: u32;
+    var phi_2380_: u32;
+    var phi_2385_: u32;
+    var phi_2386_: u32;
+    var phi_2387_: u32;
+    var phi_2257_: u32;
+    var phi_2260_: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1568_: u32;
-    var phi_1571_: lt_bvh_Hit;
-    var phi_1626_: f32;
-    var phi_1631_: f32;
-    var phi_1636_: f32;
-    var phi_1644_: f32;
-    var phi_1649_: f32;
-    var phi_1654_: f32;
-    var phi_1809_: bool;
-    var phi_1810_: bool;
-    var phi_1811_: bool;
-    var phi_1815_: bool;
-    var phi_1816_: bool;
-    var phi_1817_: bool;
-    var phi_1818_: bool;
-    var phi_1819_: bool;
-    var phi_1820_: bool;
-    var phi_1821_: bool;
-    var phi_1822_: bool;
-    var phi_1823_: bool;
-    var phi_1824_: bool;
-    var phi_1825_: bool;
-    var phi_1826_: bool;
-    var phi_1827_: bool;
-    var phi_1828_: bool;
-    var phi_1829_: bool;
-    var phi_1830_: bool;
-    var phi_1831_: bool;
-    var phi_1832_: bool;
-    var phi_1836_: bool;
-    var phi_1840_: bool;
-    var phi_1910_: f32;
-    var phi_1917_: f32;
-    var phi_1924_: f32;
-    var phi_1931_: f32;
-    var phi_1938_: f32;
-    var phi_1945_: f32;
-    var phi_1962_: f32;
-    var phi_1967_: f32;
-    var phi_1972_: f32;
-    var phi_2000_: bool;
-    var phi_2001_: bool;
-    var phi_2009_: u32;
-    var phi_2010_: u32;
-    var phi_2021_: vec3<f32>;
-    var phi_2022_: vec3<f32>;
-    var phi_2035_: u32;
-    var phi_2040_: u32;
-    var phi_2045_: u32;
-    var phi_2159_: bool;
-    var phi_2160_: bool;
-    var phi_2191_: u32;
-    var phi_2193_: lt_bvh_Hit;
-    var phi_2196_: u32;
-    var phi_2277_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2304_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2331_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2337_: u32;
-    var phi_2340_: u32;
-    var phi_2354_: u32;
-    var phi_2364_: u32;
-    var phi_2374_: u32;
-    var phi_2392_: u32;
-    var phi_2402_: u32;
-    var phi_2412_: u32;
-    var phi_2448_: u32;
-    var phi_2461_: u32;
-    var phi_2466_: u32;
-    var phi_2467_: u32;
-    var phi_2468_: u32;
-    var phi_2338_: u32;
-    var phi_2341_: u32;
     var local_8: u32;
-    var local_9: u32;
-    var local_10: u32;
-    var phi_2526_: lt_bvh_Hit;
-    var phi_2529_: u32;
-    var phi_2573_: vec3<f32>;
-    var phi_2574_: vec3<f32>;
-    var phi_2605_: vec3<f32>;
-    var phi_2606_: vec3<f32>;
-    var phi_2637_: vec3<f32>;
-    var phi_2638_: vec3<f32>;
-    var phi_2658_: bool;
-    var phi_2659_: bool;
-    var phi_2663_: f32;
+    var phi_2445_: lt_bvh_Hit;
+    var phi_2448_: u32;
+    var phi_2492_: vec3<f32>;
+    var phi_2493_: vec3<f32>;
+    var phi_2524_: vec3<f32>;
+    var phi_2525_: vec3<f32>;
+    var phi_2556_: vec3<f32>;
+    var phi_2557_: vec3<f32>;
+    var phi_2577_: bool;
+    var phi_2578_: bool;
+    var phi_2582_: f32;
+    var phi_2583_: f32;
+    var phi_2584_: f32;
+    var phi_2585_: f32;
+    var phi_2593_: f32;
+    var phi_2603_: bool;
+    var phi_2604_: bool;
+    var phi_2608_: f32;
+    var phi_2609_: f32;
+    var phi_2610_: f32;
+    var phi_2611_: f32;
+    var phi_2619_: f32;
+    var phi_2629_: bool;
+    var phi_2630_: bool;
+    var phi_2634_: f32;
+    var phi_2635_: f32;
+    var phi_2636_: f32;
+    var phi_2637_: f32;
+    var phi_2645_: f32;
+    var phi_2660_: f32;
+    var phi_2661_: bool;
+    var phi_2662_: f32;
+    var phi_2663_: bool;
     var phi_2664_: f32;
-    var phi_2665_: f32;
-    var phi_2666_: f32;
-    var phi_2674_: f32;
+    var phi_2665_: bool;
+    var phi_2683_: f32;
     var phi_2684_: bool;
     var phi_2685_: bool;
-    var phi_2689_: f32;
-    var phi_2690_: f32;
-    var phi_2691_: f32;
-    var phi_2692_: f32;
-    var phi_2700_: f32;
-    var phi_2710_: bool;
-    var phi_2711_: bool;
-    var phi_2715_: f32;
-    var phi_2716_: f32;
-    var phi_2717_: f32;
-    var phi_2718_: f32;
-    var phi_2726_: f32;
-    var phi_2741_: f32;
-    var phi_2742_: bool;
-    var phi_2743_: f32;
-    var phi_2744_: bool;
-    var phi_2745_: f32;
-    var phi_2746_: bool;
-    var phi_2764_: f32;
-    var phi_2765_: bool;
-    var phi_2766_: bool;
-    var phi_2767_: f32;
-    var phi_2768_: bool;
-    var phi_2769_: bool;
-    var phi_2773_: bool;
-    var phi_2774_: f32;
-    var phi_2775_: bool;
-    var phi_2801_: f32;
-    var phi_2810_: f32;
-    var phi_2819_: f32;
-    var phi_2828_: f32;
-    var phi_2835_: f32;
-    var phi_2842_: f32;
-    var phi_2855_: f32;
-    var phi_2864_: f32;
-    var phi_2873_: f32;
-    var phi_2882_: f32;
-    var phi_2889_: f32;
-    var phi_2896_: f32;
-    var phi_2913_: f32;
-    var phi_2918_: f32;
-    var phi_2923_: f32;
-    var phi_2931_: f32;
-    var phi_2936_: f32;
-    var phi_2941_: f32;
-    var phi_2953_: f32;
-    var phi_2958_: f32;
-    var phi_2963_: f32;
-    var phi_2968_: f32;
-    var phi_2973_: lt_bvh_triangle_Intersection;
-    var phi_2974_: lt_bvh_triangle_Intersection;
-    var phi_2975_: bool;
-    var phi_2979_: lt_bvh_triangle_Intersection;
-    var phi_3017_: bool;
-    var phi_3018_: bool;
-    var phi_3019_: bool;
-    var phi_3020_: bool;
-    var phi_3021_: bool;
-    var phi_3022_: bool;
-    var phi_3026_: bool;
-    var phi_3027_: bool;
-    var phi_3041_: bool;
-    var phi_3049_: lt_bvh_Hit;
-    var phi_3050_: lt_bvh_Hit;
-    var phi_3051_: lt_bvh_Hit;
-    var phi_3052_: lt_bvh_Hit;
-    var phi_2527_: lt_bvh_Hit;
-    var phi_2530_: u32;
-    var phi_3053_: bool;
-    var phi_3092_: bool;
-    var phi_3093_: bool;
-    var phi_3124_: u32;
-    var phi_2194_: lt_bvh_Hit;
-    var phi_2197_: u32;
-    var phi_3125_: lt_bvh_Hit;
-    var phi_3126_: lt_bvh_Hit;
-    var phi_3127_: bool;
-    var phi_3131_: lt_bvh_Hit;
-    var phi_3132_: lt_bvh_Hit;
-    var phi_3133_: lt_bvh_Hit;
-    var phi_3134_: lt_bvh_Hit;
-    var phi_1569_: u32;
-    var phi_1572_: lt_bvh_Hit;
-    var phi_3135_: bool;
-    var phi_3174_: bool;
-    var phi_3175_: bool;
-    var phi_3206_: u32;
-    var phi_1232_: u32;
-    var phi_1235_: lt_bvh_Hit;
-    var phi_3207_: lt_bvh_Hit;
-    var phi_3208_: lt_bvh_Hit;
-    var phi_3209_: bool;
-    var phi_3213_: lt_bvh_Hit;
-    var phi_3402_: f32;
-    var phi_3407_: f32;
-    var phi_3412_: f32;
-    var phi_3420_: f32;
-    var phi_3425_: f32;
-    var phi_3430_: f32;
-    var phi_3651_: vec3<f32>;
-    var phi_3662_: u32;
-    var phi_3761_: vec3<f32>;
-    var phi_3762_: vec3<f32>;
-    var phi_3766_: abi_Sample;
+    var phi_2686_: f32;
+    var phi_2687_: bool;
+    var phi_2688_: bool;
+    var phi_2692_: bool;
+    var phi_2693_: f32;
+    var phi_2694_: bool;
+    var phi_2728_: f32;
+    var phi_2737_: f32;
+    var phi_2746_: f32;
+    var phi_2755_: f32;
+    var phi_2762_: f32;
+    var phi_2769_: f32;
+    var phi_2782_: f32;
+    var phi_2791_: f32;
+    var phi_2800_: f32;
+    var phi_2809_: f32;
+    var phi_2816_: f32;
+    var phi_2823_: f32;
+    var phi_2840_: f32;
+    var phi_2845_: f32;
+    var phi_2850_: f32;
+    var phi_2858_: f32;
+    var phi_2863_: f32;
+    var phi_2868_: f32;
+    var phi_2880_: f32;
+    var phi_2885_: f32;
+    var phi_2890_: f32;
+    var phi_2895_: f32;
+    var phi_2900_: lt_bvh_triangle_Intersection;
+    var phi_2901_: bool;
+    var phi_2902_: lt_bvh_triangle_Intersection;
+    var phi_2903_: bool;
+    var phi_2907_: lt_bvh_triangle_Intersection;
+    var phi_2908_: bool;
+    var phi_2909_: lt_bvh_triangle_Intersection;
+    var phi_2910_: bool;
+    var phi_2911_: bool;
+    var phi_2915_: bool;
+    var phi_2919_: lt_bvh_triangle_Intersection;
+    var phi_2957_: bool;
+    var phi_2958_: bool;
+    var phi_2959_: bool;
+    var phi_2960_: bool;
+    var phi_2961_: bool;
+    var phi_2962_: bool;
+    var phi_2966_: bool;
+    var phi_2967_: bool;
+    var phi_2981_: bool;
+    var phi_2989_: lt_bvh_Hit;
+    var phi_2990_: lt_bvh_Hit;
+    var phi_2991_: lt_bvh_Hit;
+    var phi_2992_: lt_bvh_Hit;
+    var phi_2446_: lt_bvh_Hit;
+    var phi_2449_: u32;
+    var phi_2993_: bool;
+    var phi_3032_: bool;
+    var phi_3033_: bool;
+    var phi_3064_: u32;
+    var phi_2113_: lt_bvh_Hit;
+    var phi_2116_: u32;
+    var phi_3065_: lt_bvh_Hit;
+    var phi_3066_: lt_bvh_Hit;
+    var phi_3067_: bool;
+    var phi_3071_: lt_bvh_Hit;
+    var phi_3072_: lt_bvh_Hit;
+    var phi_3073_: lt_bvh_Hit;
+    var phi_3074_: lt_bvh_Hit;
+    var phi_1487_: u32;
+    var phi_1490_: lt_bvh_Hit;
+    var phi_3075_: bool;
+    var phi_3114_: bool;
+    var phi_3115_: bool;
+    var phi_3146_: u32;
+    var phi_1150_: u32;
+    var phi_1153_: lt_bvh_Hit;
+    var phi_3147_: lt_bvh_Hit;
+    var phi_3148_: lt_bvh_Hit;
+    var phi_3149_: bool;
+    var phi_3153_: lt_bvh_Hit;
+    var phi_3340_: f32;
+    var phi_3345_: f32;
+    var phi_3350_: f32;
+    var phi_3358_: f32;
+    var phi_3363_: f32;
+    var phi_3368_: f32;
+    var phi_3432_: vec3<f32>;
+    var phi_3675_: vec3<f32>;
+    var phi_3690_: u32;
+    var phi_3717_: f32;
+    var phi_3724_: f32;
+    var phi_3731_: f32;
+    var phi_3766_: f32;
+    var phi_3773_: f32;
+    var phi_3780_: f32;
+    var phi_3818_: f32;
+    var phi_3825_: f32;
+    var phi_3832_: f32;
+    var phi_3918_: vec3<f32>;
+    var phi_3919_: vec3<f32>;
+    var phi_3920_: vec3<f32>;
+    var phi_3929_: f32;
+    var phi_3930_: f32;
+    var phi_3940_: f32;
+    var phi_3941_: f32;
+    var phi_3951_: f32;
+    var phi_3952_: f32;
+    var phi_3987_: abi_Sample;
+    var local_9: lt_bvh_Hit;
+    var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
-    var local_13: lt_bvh_Hit;
-    var local_14: lt_bvh_Hit;
 
-    let _e68 = id_1;
-    let _e72 = arrayLength((&nodes.member));
-    let _e75 = arrayLength((&triangles.member));
-    let _e78 = arrayLength((&vertices.member));
-    let _e87 = arrayLength((&instances.member));
-    let _e90 = arrayLength((&color_texels.member));
-    let _e93 = p.member.size[0u];
-    let _e95 = p.member.size[1u];
-    let _e96 = lt_shaders_entry_pixel_index(_e68, _e93, _e95);
-    if (bitcast<i32>(_e96.root) != 0i) {
-        let _e102 = p.member.root;
-        let _e106 = p.member.eye;
-        let _e111 = p.member.size[0u];
-        let _e115 = ((((f32(_e68.x) + 0.5f) / f32(_e111)) * 2f) - 1f);
-        let _e120 = p.member.size[1u];
-        let _e124 = (1f - (((f32(_e68.y) + 0.5f) / f32(_e120)) * 2f));
-        let _e126 = p.member.forward;
-        let _e128 = p.member.right;
-        let _e142 = p.member.up;
-        let _e153 = _lt_bvh_ray_Ray_new(_e106, vec3<f32>(((_e126.x + (_e128.x * _e115)) + (_e142.x * _e124)), ((_e126.y + (_e128.y * _e115)) + (_e142.y * _e124)), ((_e126.z + (_e128.z * _e115)) + (_e142.z * _e124))));
-        let _e155 = lt_bvh_Hit(_e153.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e165 = abs(_e153.direction.x);
-        let _e167 = abs(_e153.direction.y);
-        let _e169 = abs(_e153.direction.z);
-        if (abs(_e153.origin.x) < 1000000000000000f) {
-            if (abs(_e153.origin.y) < 1000000000000000f) {
-                if (abs(_e153.origin.z) < 1000000000000000f) {
-                    if (_e165 < 1000000000000000f) {
-                        if (_e167 < 1000000000000000f) {
-                            if (_e169 < 1000000000000000f) {
-                                if (_e165 > 0f) {
-                                    phi_874_ = bool();
-                                    phi_875_ = true;
+    let _e72 = id_1;
+    let _e76 = arrayLength((&nodes.member));
+    let _e79 = arrayLength((&triangles.member));
+    let _e82 = arrayLength((&vertices.member));
+    let _e91 = arrayLength((&instances.member));
+    let _e94 = arrayLength((&color_texels.member));
+    let _e97 = p.member.size[0u];
+    let _e99 = p.member.size[1u];
+    let _e100 = lt_shaders_entry_pixel_index(_e72, _e97, _e99);
+    if (bitcast<i32>(_e100.root) != 0i) {
+        let _e106 = p.member.root;
+        let _e110 = p.member.eye;
+        let _e115 = p.member.size[0u];
+        let _e119 = ((((f32(_e72.x) + 0.5f) / f32(_e115)) * 2f) - 1f);
+        let _e124 = p.member.size[1u];
+        let _e128 = (1f - (((f32(_e72.y) + 0.5f) / f32(_e124)) * 2f));
+        let _e130 = p.member.forward;
+        let _e132 = p.member.right;
+        let _e146 = p.member.up;
+        let _e157 = _lt_bvh_ray_Ray_new(_e110, vec3<f32>(((_e130.x + (_e132.x * _e119)) + (_e146.x * _e128)), ((_e130.y + (_e132.y * _e119)) + (_e146.y * _e128)), ((_e130.z + (_e132.z * _e119)) + (_e146.z * _e128))));
+        let _e159 = lt_bvh_Hit(_e157.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e169 = abs(_e157.direction.x);
+        let _e171 = abs(_e157.direction.y);
+        let _e173 = abs(_e157.direction.z);
+        if (abs(_e157.origin.x) < 1000000000000000f) {
+            if (abs(_e157.origin.y) < 1000000000000000f) {
+                if (abs(_e157.origin.z) < 1000000000000000f) {
+                    if (_e169 < 1000000000000000f) {
+                        if (_e171 < 1000000000000000f) {
+                            if (_e173 < 1000000000000000f) {
+                                if (_e169 > 0f) {
+                                    phi_792_ = bool();
+                                    phi_793_ = true;
                                 } else {
-                                    let _e177 = (_e167 > 0f);
-                                    if _e177 {
-                                        phi_873_ = bool();
+                                    let _e181 = (_e171 > 0f);
+                                    if _e181 {
+                                        phi_791_ = bool();
                                     } else {
-                                        phi_873_ = (_e169 > 0f);
+                                        phi_791_ = (_e173 > 0f);
                                     }
-                                    let _e180 = phi_873_;
-                                    phi_874_ = _e180;
-                                    phi_875_ = _e177;
+                                    let _e184 = phi_791_;
+                                    phi_792_ = _e184;
+                                    phi_793_ = _e181;
                                 }
-                                let _e182 = phi_874_;
-                                let _e184 = phi_875_;
-                                if _e184 {
-                                    phi_879_ = true;
+                                let _e186 = phi_792_;
+                                let _e188 = phi_793_;
+                                if _e188 {
+                                    phi_797_ = true;
                                 } else {
-                                    phi_879_ = _e182;
+                                    phi_797_ = _e186;
                                 }
-                                let _e186 = phi_879_;
-                                phi_880_ = _e186;
-                                phi_881_ = false;
+                                let _e190 = phi_797_;
+                                phi_798_ = _e190;
+                                phi_799_ = false;
                             } else {
-                                phi_880_ = bool();
-                                phi_881_ = true;
+                                phi_798_ = bool();
+                                phi_799_ = true;
                             }
-                            let _e188 = phi_880_;
-                            let _e190 = phi_881_;
-                            phi_882_ = _e188;
-                            phi_883_ = false;
-                            phi_884_ = _e190;
+                            let _e192 = phi_798_;
+                            let _e194 = phi_799_;
+                            phi_800_ = _e192;
+                            phi_801_ = false;
+                            phi_802_ = _e194;
                         } else {
-                            phi_882_ = bool();
-                            phi_883_ = true;
-                            phi_884_ = false;
+                            phi_800_ = bool();
+                            phi_801_ = true;
+                            phi_802_ = false;
                         }
-                        let _e192 = phi_882_;
-                        let _e194 = phi_883_;
-                        let _e196 = phi_884_;
-                        phi_885_ = _e192;
-                        phi_886_ = _e194;
-                        phi_887_ = _e196;
+                        let _e196 = phi_800_;
+                        let _e198 = phi_801_;
+                        let _e200 = phi_802_;
+                        phi_803_ = _e196;
+                        phi_804_ = _e198;
+                        phi_805_ = _e200;
                     } else {
-                        phi_885_ = bool();
-                        phi_886_ = true;
-                        phi_887_ = false;
+                        phi_803_ = bool();
+                        phi_804_ = true;
+                        phi_805_ = false;
                     }
-                    let _e198 = phi_885_;
-                    let _e200 = phi_886_;
-                    let _e202 = phi_887_;
-                    phi_888_ = _e198;
-                    phi_889_ = _e200;
-                    phi_890_ = _e202;
+                    let _e202 = phi_803_;
+                    let _e204 = phi_804_;
+                    let _e206 = phi_805_;
+                    phi_806_ = _e202;
+                    phi_807_ = _e204;
+                    phi_808_ = _e206;
                 } else {
-                    phi_888_ = bool();
-                    phi_889_ = true;
-                    phi_890_ = false;
+                    phi_806_ = bool();
+                    phi_807_ = true;
+                    phi_808_ = false;
                 }
-                let _e204 = phi_888_;
-                let _e206 = phi_889_;
-                let _e208 = phi_890_;
-                phi_891_ = _e204;
-                phi_892_ = _e206;
-                phi_893_ = _e208;
+                let _e208 = phi_806_;
+                let _e210 = phi_807_;
+                let _e212 = phi_808_;
+                phi_809_ = _e208;
+                phi_810_ = _e210;
+                phi_811_ = _e212;
             } else {
-                phi_891_ = bool();
-                phi_892_ = true;
-                phi_893_ = false;
+                phi_809_ = bool();
+                phi_810_ = true;
+                phi_811_ = false;
             }
-            let _e210 = phi_891_;
-            let _e212 = phi_892_;
-            let _e214 = phi_893_;
-            phi_894_ = _e210;
-            phi_895_ = _e212;
-            phi_896_ = _e214;
+            let _e214 = phi_809_;
+            let _e216 = phi_810_;
+            let _e218 = phi_811_;
+            phi_812_ = _e214;
+            phi_813_ = _e216;
+            phi_814_ = _e218;
         } else {
-            phi_894_ = bool();
-            phi_895_ = true;
-            phi_896_ = false;
+            phi_812_ = bool();
+            phi_813_ = true;
+            phi_814_ = false;
         }
-        let _e216 = phi_894_;
-        let _e218 = phi_895_;
-        let _e220 = phi_896_;
-        if _e218 {
-            phi_900_ = true;
-        } else {
-            phi_900_ = _e220;
-        }
-        let _e222 = phi_900_;
+        let _e220 = phi_812_;
+        let _e222 = phi_813_;
+        let _e224 = phi_814_;
         if _e222 {
-            phi_904_ = false;
+            phi_818_ = true;
         } else {
-            phi_904_ = _e216;
+            phi_818_ = _e224;
         }
-        let _e224 = phi_904_;
-        if _e224 {
-            let _e225 = (_e102 >= _e72);
-            if _e225 {
-                phi_3207_ = lt_bvh_Hit();
+        let _e226 = phi_818_;
+        if _e226 {
+            phi_822_ = false;
+        } else {
+            phi_822_ = _e220;
+        }
+        let _e228 = phi_822_;
+        if _e228 {
+            let _e229 = (_e106 >= _e76);
+            if _e229 {
+                phi_3147_ = lt_bvh_Hit();
             } else {
-                if (_e102 < _e72) {
+                if (_e106 < _e76) {
                 } else {
                     return;
                 }
-                let _e231 = nodes.member[(0u + _e102)].frame[0u];
-                let _e235 = nodes.member[(0u + _e102)].frame[1u];
-                let _e239 = nodes.member[(0u + _e102)].frame[2u];
-                let _e243 = nodes.member[(0u + _e102)].frame[0u];
-                let _e247 = nodes.member[(0u + _e102)].frame[1u];
-                let _e251 = nodes.member[(0u + _e102)].frame[2u];
-                let _e255 = nodes.member[(0u + _e102)].frame[3u];
-                let _e293 = core_intrinsics_maximum_number_nsz_f32_(abs(_e153.direction.x), abs(_e153.direction.y));
-                let _e294 = core_intrinsics_maximum_number_nsz_f32_(_e293, abs(_e153.direction.z));
-                let _e295 = (_e294 * 0.0000000000009094947f);
-                if (abs(_e153.direction.x) < _e295) {
-                    phi_979_ = _e295;
+                let _e235 = nodes.member[(0u + _e106)].frame[0u];
+                let _e239 = nodes.member[(0u + _e106)].frame[1u];
+                let _e243 = nodes.member[(0u + _e106)].frame[2u];
+                let _e247 = nodes.member[(0u + _e106)].frame[0u];
+                let _e251 = nodes.member[(0u + _e106)].frame[1u];
+                let _e255 = nodes.member[(0u + _e106)].frame[2u];
+                let _e259 = nodes.member[(0u + _e106)].frame[3u];
+                let _e297 = core_intrinsics_maximum_number_nsz_f32_(abs(_e157.direction.x), abs(_e157.direction.y));
+                let _e298 = core_intrinsics_maximum_number_nsz_f32_(_e297, abs(_e157.direction.z));
+                let _e299 = (_e298 * 0.0000000000009094947f);
+                if (abs(_e157.direction.x) < _e299) {
+                    phi_897_ = _e299;
                 } else {
-                    phi_979_ = abs(_e153.direction.x);
+                    phi_897_ = abs(_e157.direction.x);
                 }
-                let _e302 = phi_979_;
-                if (_e153.direction.x < 0f) {
-                    phi_986_ = (-1f / _e302);
+                let _e306 = phi_897_;
+                if (_e157.direction.x < 0f) {
+                    phi_904_ = (-1f / _e306);
                 } else {
-                    phi_986_ = (1f / _e302);
+                    phi_904_ = (1f / _e306);
                 }
-                let _e307 = phi_986_;
-                if (abs(_e153.direction.y) < _e295) {
-                    phi_994_ = _e295;
+                let _e311 = phi_904_;
+                if (abs(_e157.direction.y) < _e299) {
+                    phi_912_ = _e299;
                 } else {
-                    phi_994_ = abs(_e153.direction.y);
+                    phi_912_ = abs(_e157.direction.y);
                 }
-                let _e314 = phi_994_;
-                if (_e153.direction.y < 0f) {
-                    phi_1001_ = (-1f / _e314);
+                let _e318 = phi_912_;
+                if (_e157.direction.y < 0f) {
+                    phi_919_ = (-1f / _e318);
                 } else {
-                    phi_1001_ = (1f / _e314);
+                    phi_919_ = (1f / _e318);
                 }
-                let _e319 = phi_1001_;
-                if (abs(_e153.direction.z) < _e295) {
-                    phi_1009_ = _e295;
+                let _e323 = phi_919_;
+                if (abs(_e157.direction.z) < _e299) {
+                    phi_927_ = _e299;
                 } else {
-                    phi_1009_ = abs(_e153.direction.z);
+                    phi_927_ = abs(_e157.direction.z);
                 }
-                let _e326 = phi_1009_;
-                if (_e153.direction.z < 0f) {
-                    phi_1016_ = (-1f / _e326);
+                let _e330 = phi_927_;
+                if (_e157.direction.z < 0f) {
+                    phi_934_ = (-1f / _e330);
                 } else {
-                    phi_1016_ = (1f / _e326);
+                    phi_934_ = (1f / _e330);
                 }
-                let _e331 = phi_1016_;
-                let _e339 = abs((bitcast<f32>(_e231) - _e153.origin.x));
-                let _e340 = abs((bitcast<f32>(_e235) - _e153.origin.y));
-                let _e341 = abs((bitcast<f32>(_e239) - _e153.origin.z));
-                let _e349 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e255 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.x));
-                let _e350 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e255 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.y));
-                let _e351 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e255 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.z));
-                if (_e339 > _e349) {
-                    phi_1041_ = _e339;
+                let _e335 = phi_934_;
+                let _e343 = abs((bitcast<f32>(_e235) - _e157.origin.x));
+                let _e344 = abs((bitcast<f32>(_e239) - _e157.origin.y));
+                let _e345 = abs((bitcast<f32>(_e243) - _e157.origin.z));
+                let _e353 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e259 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.x));
+                let _e354 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e259 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.y));
+                let _e355 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e259 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.z));
+                if (_e343 > _e353) {
+                    phi_959_ = _e343;
                 } else {
-                    phi_1041_ = _e349;
+                    phi_959_ = _e353;
                 }
-                let _e354 = phi_1041_;
-                if (_e340 > _e350) {
-                    phi_1046_ = _e340;
+                let _e358 = phi_959_;
+                if (_e344 > _e354) {
+                    phi_964_ = _e344;
                 } else {
-                    phi_1046_ = _e350;
+                    phi_964_ = _e354;
                 }
-                let _e357 = phi_1046_;
-                if (_e341 > _e351) {
-                    phi_1051_ = _e341;
+                let _e361 = phi_964_;
+                if (_e345 > _e355) {
+                    phi_969_ = _e345;
                 } else {
-                    phi_1051_ = _e351;
+                    phi_969_ = _e355;
                 }
-                let _e360 = phi_1051_;
-                let _e361 = core_intrinsics_maximum_number_nsz_f32_(_e354, _e357);
-                let _e362 = core_intrinsics_maximum_number_nsz_f32_(_e361, _e360);
-                let _e367 = (_e362 * 0.0000019073486f);
-                let _e368 = (abs(_e307) * _e367);
-                let _e369 = (abs(_e319) * _e367);
-                let _e370 = (abs(_e331) * _e367);
-                let _e374 = (_e362 * 0.0000009536743f);
-                let _e375 = (abs(_e307) * _e374);
-                let _e376 = (abs(_e319) * _e374);
-                let _e377 = (abs(_e331) * _e374);
-                if (_e307 < 0f) {
-                    phi_1073_ = 0u;
+                let _e364 = phi_969_;
+                let _e365 = core_intrinsics_maximum_number_nsz_f32_(_e358, _e361);
+                let _e366 = core_intrinsics_maximum_number_nsz_f32_(_e365, _e364);
+                let _e371 = (_e366 * 0.0000019073486f);
+                let _e372 = (abs(_e311) * _e371);
+                let _e373 = (abs(_e323) * _e371);
+                let _e374 = (abs(_e335) * _e371);
+                let _e378 = (_e366 * 0.0000009536743f);
+                let _e379 = (abs(_e311) * _e378);
+                let _e380 = (abs(_e323) * _e378);
+                let _e381 = (abs(_e335) * _e378);
+                if (_e311 < 0f) {
+                    phi_991_ = 0u;
                 } else {
-                    phi_1073_ = 1u;
+                    phi_991_ = 1u;
                 }
-                let _e380 = phi_1073_;
-                if (_e319 < 0f) {
-                    phi_1078_ = 0u;
+                let _e384 = phi_991_;
+                if (_e323 < 0f) {
+                    phi_996_ = 0u;
                 } else {
-                    phi_1078_ = 2u;
+                    phi_996_ = 2u;
                 }
-                let _e383 = phi_1078_;
-                if (_e331 < 0f) {
-                    phi_1083_ = 0u;
+                let _e387 = phi_996_;
+                if (_e335 < 0f) {
+                    phi_1001_ = 0u;
                 } else {
-                    phi_1083_ = 4u;
+                    phi_1001_ = 4u;
                 }
-                let _e386 = phi_1083_;
-                let _e388 = ((_e380 | _e383) | _e386);
-                let _e389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e102, 2147483648u);
-                local_4 = lt_bvh_traverse_Stack(array<u32, 32>(_e389.first[0], _e389.first[1], _e389.first[2], _e389.first[3], _e389.first[4], _e389.first[5], _e389.first[6], _e389.first[7], _e389.first[8], _e389.first[9], _e389.first[10], _e389.first[11], _e389.first[12], _e389.first[13], _e389.first[14], _e389.first[15], _e389.first[16], _e389.first[17], _e389.first[18], _e389.first[19], _e389.first[20], _e389.first[21], _e389.first[22], _e389.first[23], _e389.first[24], _e389.first[25], _e389.first[26], _e389.first[27], _e389.first[28], _e389.first[29], _e389.first[30], _e389.first[31]), array<u32, 32>(_e389.mask[0], _e389.mask[1], _e389.mask[2], _e389.mask[3], _e389.mask[4], _e389.mask[5], _e389.mask[6], _e389.mask[7], _e389.mask[8], _e389.mask[9], _e389.mask[10], _e389.mask[11], _e389.mask[12], _e389.mask[13], _e389.mask[14], _e389.mask[15], _e389.mask[16], _e389.mask[17], _e389.mask[18], _e389.mask[19], _e389.mask[20], _e389.mask[21], _e389.mask[22], _e389.mask[23], _e389.mask[24], _e389.mask[25], _e389.mask[26], _e389.mask[27], _e389.mask[28], _e389.mask[29], _e389.mask[30], _e389.mask[31]), _e389.len, _e389.group, _e389.group_mask);
-                let _e463 = local_4.group_mask;
-                if ((_e463 & 4278190080u) == 0u) {
-                    let _e467 = local_4.len;
-                    if (_e467 == 0u) {
-                        phi_1197_ = false;
+                let _e390 = phi_1001_;
+                let _e392 = ((_e384 | _e387) | _e390);
+                let _e393 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e106, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e393.first[0], _e393.first[1], _e393.first[2], _e393.first[3], _e393.first[4], _e393.first[5], _e393.first[6], _e393.first[7], _e393.first[8], _e393.first[9], _e393.first[10], _e393.first[11], _e393.first[12], _e393.first[13], _e393.first[14], _e393.first[15], _e393.first[16], _e393.first[17], _e393.first[18], _e393.first[19], _e393.first[20], _e393.first[21], _e393.first[22], _e393.first[23], _e393.first[24], _e393.first[25], _e393.first[26], _e393.first[27], _e393.first[28], _e393.first[29], _e393.first[30], _e393.first[31]), array<u32, 32>(_e393.mask[0], _e393.mask[1], _e393.mask[2], _e393.mask[3], _e393.mask[4], _e393.mask[5], _e393.mask[6], _e393.mask[7], _e393.mask[8], _e393.mask[9], _e393.mask[10], _e393.mask[11], _e393.mask[12], _e393.mask[13], _e393.mask[14], _e393.mask[15], _e393.mask[16], _e393.mask[17], _e393.mask[18], _e393.mask[19], _e393.mask[20], _e393.mask[21], _e393.mask[22], _e393.mask[23], _e393.mask[24], _e393.mask[25], _e393.mask[26], _e393.mask[27], _e393.mask[28], _e393.mask[29], _e393.mask[30], _e393.mask[31]), _e393.len, _e393.group, _e393.group_mask);
+                let _e467 = local_2.group_mask;
+                if ((_e467 & 4278190080u) == 0u) {
+                    let _e471 = local_2.len;
+                    if (_e471 == 0u) {
+                        phi_1115_ = false;
                     } else {
-                        let _e471 = local_4.len;
-                        local_4.len = (_e471 - 1u);
-                        let _e474 = local_4.len;
-                        if (_e474 < 32u) {
+                        let _e475 = local_2.len;
+                        local_2.len = (_e475 - 1u);
+                        let _e478 = local_2.len;
+                        if (_e478 < 32u) {
                         } else {
                             return;
                         }
-                        let _e479 = local_4.first[(0u + _e474)];
-                        local_4.group = _e479;
-                        let _e482 = local_4.len;
-                        if (_e482 < 32u) {
+                        let _e483 = local_2.first[(0u + _e478)];
+                        local_2.group = _e483;
+                        let _e486 = local_2.len;
+                        if (_e486 < 32u) {
                         } else {
                             return;
                         }
-                        let _e487 = local_4.mask[(0u + _e482)];
-                        local_4.group_mask = _e487;
-                        phi_1197_ = true;
+                        let _e491 = local_2.mask[(0u + _e486)];
+                        local_2.group_mask = _e491;
+                        phi_1115_ = true;
                     }
-                    let _e490 = phi_1197_;
-                    phi_1198_ = _e490;
+                    let _e494 = phi_1115_;
+                    phi_1116_ = _e494;
                 } else {
-                    phi_1198_ = true;
+                    phi_1116_ = true;
                 }
-                let _e492 = phi_1198_;
-                if _e492 {
-                    let _e494 = local_4.group_mask;
-                    let _e500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e494)), 32u, (_e494 == 0u)));
-                    let _e504 = local_4.group_mask;
-                    let _e518 = local_4.group_mask;
-                    local_4.group_mask = (_e518 & ~((1u << bitcast<u32>((_e500 & 31u)))));
-                    let _e521 = local_4.group;
-                    phi_1229_ = (_e521 + countOneBits(((_e504 & ~((4294967295u << bitcast<u32>((((_e500 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e496 = phi_1116_;
+                if _e496 {
+                    let _e498 = local_2.group_mask;
+                    let _e504 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e498)), 32u, (_e498 == 0u)));
+                    let _e508 = local_2.group_mask;
+                    let _e522 = local_2.group_mask;
+                    local_2.group_mask = (_e522 & ~((1u << bitcast<u32>((_e504 & 31u)))));
+                    let _e525 = local_2.group;
+                    phi_1147_ = (_e525 + countOneBits(((_e508 & ~((4294967295u << bitcast<u32>((((_e504 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1229_ = 4294967295u;
+                    phi_1147_ = 4294967295u;
                 }
-                let _e524 = phi_1229_;
-                phi_1231_ = _e524;
-                phi_1234_ = _e155;
+                let _e528 = phi_1147_;
+                phi_1149_ = _e528;
+                phi_1152_ = _e159;
                 loop {
-                    let _e526 = phi_1231_;
-                    let _e528 = phi_1234_;
-                    local_14 = _e528;
-                    let _e529 = (_e526 != 4294967295u);
-                    if _e529 {
-                        if (_e526 < _e72) {
+                    let _e530 = phi_1149_;
+                    let _e532 = phi_1152_;
+                    local_12 = _e532;
+                    let _e533 = (_e530 != 4294967295u);
+                    if _e533 {
+                        if (_e530 < _e76) {
                         } else {
                             return;
                         }
-                        let _e537 = nodes.member[(0u + _e526)].frame[3u];
-                        let _e562 = (bitcast<f32>((((_e537 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e307);
-                        let _e563 = (bitcast<f32>((((_e537 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
-                        let _e564 = (bitcast<f32>((((_e537 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
-                        let _e567 = nodes.member[(0u + _e526)].frame[0u];
-                        let _e571 = nodes.member[(0u + _e526)].frame[1u];
-                        let _e575 = nodes.member[(0u + _e526)].frame[2u];
-                        let _e583 = ((bitcast<f32>(_e567) - _e153.origin.x) * _e307);
-                        let _e584 = ((bitcast<f32>(_e571) - _e153.origin.y) * _e319);
-                        let _e585 = ((bitcast<f32>(_e575) - _e153.origin.z) * _e331);
-                        let _e593 = nodes.member[(0u + _e526)].x;
-                        if (_e307 < 0f) {
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e604.unnamed.root, _e593.w), _e604.unnamed_1);
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_bvh_traverse_Tree(_e593.x, _e610.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_bvh_traverse_Tree(_e616.unnamed_1.root, _e593.y));
+                        let _e541 = nodes.member[(0u + _e530)].frame[3u];
+                        let _e566 = (bitcast<f32>((((_e541 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
+                        let _e567 = (bitcast<f32>((((_e541 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e323);
+                        let _e568 = (bitcast<f32>((((_e541 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e335);
+                        let _e571 = nodes.member[(0u + _e530)].frame[0u];
+                        let _e575 = nodes.member[(0u + _e530)].frame[1u];
+                        let _e579 = nodes.member[(0u + _e530)].frame[2u];
+                        let _e587 = ((bitcast<f32>(_e571) - _e157.origin.x) * _e311);
+                        let _e588 = ((bitcast<f32>(_e575) - _e157.origin.y) * _e323);
+                        let _e589 = ((bitcast<f32>(_e579) - _e157.origin.z) * _e335);
+                        let _e597 = nodes.member[(0u + _e530)].x;
+                        if (_e311 < 0f) {
+                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e608.unnamed.root, _e597.w), _e608.unnamed_1);
+                            let _e620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e614.unnamed, lt_bvh_traverse_Tree(_e597.x, _e614.unnamed_1.first_primitive));
+                            phi_1237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e620.unnamed, lt_bvh_traverse_Tree(_e620.unnamed_1.root, _e597.y));
                         } else {
-                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.unnamed.root, _e593.y), _e632.unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_bvh_traverse_Tree(_e593.z, _e638.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e644.unnamed_1.root, _e593.w));
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.unnamed.root, _e597.y), _e636.unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e597.z, _e642.unnamed_1.first_primitive));
+                            phi_1237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e648.unnamed_1.root, _e597.w));
                         }
-                        let _e652 = phi_1319_;
-                        let _e662 = nodes.member[(0u + _e526)].y;
-                        if (_e319 < 0f) {
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.unnamed.root, _e662.w), _e673.unnamed_1);
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e662.x, _e679.unnamed_1.first_primitive));
-                            phi_1346_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_bvh_traverse_Tree(_e685.unnamed_1.root, _e662.y));
+                        let _e656 = phi_1237_;
+                        let _e666 = nodes.member[(0u + _e530)].y;
+                        if (_e323 < 0f) {
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e677.unnamed.root, _e666.w), _e677.unnamed_1);
+                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e666.x, _e683.unnamed_1.first_primitive));
+                            phi_1264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e689.unnamed_1.root, _e666.y));
                         } else {
-                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.unnamed.root, _e662.y), _e701.unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e662.z, _e707.unnamed_1.first_primitive));
-                            phi_1346_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e713.unnamed_1.root, _e662.w));
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.unnamed.root, _e666.y), _e705.unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e666.z, _e711.unnamed_1.first_primitive));
+                            phi_1264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e717.unnamed_1.root, _e666.w));
                         }
-                        let _e721 = phi_1346_;
-                        let _e731 = nodes.member[(0u + _e526)].z;
-                        if (_e331 < 0f) {
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e742.unnamed.root, _e731.w), _e742.unnamed_1);
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e731.x, _e748.unnamed_1.first_primitive));
-                            phi_1373_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_bvh_traverse_Tree(_e754.unnamed_1.root, _e731.y));
+                        let _e725 = phi_1264_;
+                        let _e735 = nodes.member[(0u + _e530)].z;
+                        if (_e335 < 0f) {
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.unnamed.root, _e735.w), _e746.unnamed_1);
+                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e735.x, _e752.unnamed_1.first_primitive));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e758.unnamed_1.root, _e735.y));
                         } else {
-                            let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.unnamed.root, _e731.y), _e770.unnamed_1);
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_bvh_traverse_Tree(_e731.z, _e776.unnamed_1.first_primitive));
-                            phi_1373_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_bvh_traverse_Tree(_e782.unnamed_1.root, _e731.w));
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e774.unnamed.root, _e735.y), _e774.unnamed_1);
+                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_bvh_traverse_Tree(_e735.z, _e780.unnamed_1.first_primitive));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_bvh_traverse_Tree(_e786.unnamed_1.root, _e735.w));
                         }
-                        let _e790 = phi_1373_;
-                        phi_1379_ = 0u;
-                        phi_1382_ = 0u;
+                        let _e794 = phi_1291_;
+                        phi_1297_ = 0u;
+                        phi_1300_ = 0u;
                         loop {
-                            let _e800 = phi_1379_;
-                            let _e802 = phi_1382_;
-                            local_5 = _e802;
-                            local_6 = _e802;
-                            local_7 = _e802;
-                            let _e803 = (_e800 < 8u);
-                            if _e803 {
-                                let _e805 = (_e800 >> bitcast<u32>(2i));
-                                let _e806 = (_e800 & 3u);
-                                if (_e805 == 0u) {
-                                    phi_1396_ = _e652.unnamed.root;
+                            let _e804 = phi_1297_;
+                            let _e806 = phi_1300_;
+                            local_3 = _e806;
+                            local_4 = _e806;
+                            local_5 = _e806;
+                            let _e807 = (_e804 < 8u);
+                            if _e807 {
+                                let _e809 = (_e804 >> bitcast<u32>(2i));
+                                let _e810 = (_e804 & 3u);
+                                if (_e809 == 0u) {
+                                    phi_1314_ = _e656.unnamed.root;
                                 } else {
-                                    phi_1396_ = _e652.unnamed.first_primitive;
+                                    phi_1314_ = _e656.unnamed.first_primitive;
                                 }
-                                let _e809 = phi_1396_;
-                                if (_e805 == 0u) {
-                                    phi_1406_ = _e721.unnamed.root;
+                                let _e813 = phi_1314_;
+                                if (_e809 == 0u) {
+                                    phi_1324_ = _e725.unnamed.root;
                                 } else {
-                                    phi_1406_ = _e721.unnamed.first_primitive;
+                                    phi_1324_ = _e725.unnamed.first_primitive;
                                 }
-                                let _e818 = phi_1406_;
-                                if (_e805 == 0u) {
-                                    phi_1416_ = _e790.unnamed.root;
+                                let _e822 = phi_1324_;
+                                if (_e809 == 0u) {
+                                    phi_1334_ = _e794.unnamed.root;
                                 } else {
-                                    phi_1416_ = _e790.unnamed.first_primitive;
+                                    phi_1334_ = _e794.unnamed.first_primitive;
                                 }
-                                let _e827 = phi_1416_;
-                                let _e840 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 - _e368)), ((f32(((_e818 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 - _e369)));
-                                let _e841 = core_intrinsics_maximum_number_nsz_f32_(_e840, ((f32(((_e827 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e564) + (_e585 - _e370)));
-                                if (_e805 == 0u) {
-                                    phi_1434_ = _e652.unnamed_1.root;
+                                let _e831 = phi_1334_;
+                                let _e844 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e813 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 - _e372)), ((f32(((_e822 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 - _e373)));
+                                let _e845 = core_intrinsics_maximum_number_nsz_f32_(_e844, ((f32(((_e831 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e568) + (_e589 - _e374)));
+                                if (_e809 == 0u) {
+                                    phi_1352_ = _e656.unnamed_1.root;
                                 } else {
-                                    phi_1434_ = _e652.unnamed_1.first_primitive;
+                                    phi_1352_ = _e656.unnamed_1.first_primitive;
                                 }
-                                let _e844 = phi_1434_;
-                                if (_e805 == 0u) {
-                                    phi_1444_ = _e721.unnamed_1.root;
+                                let _e848 = phi_1352_;
+                                if (_e809 == 0u) {
+                                    phi_1362_ = _e725.unnamed_1.root;
                                 } else {
-                                    phi_1444_ = _e721.unnamed_1.first_primitive;
+                                    phi_1362_ = _e725.unnamed_1.first_primitive;
                                 }
-                                let _e853 = phi_1444_;
-                                if (_e805 == 0u) {
-                                    phi_1454_ = _e790.unnamed_1.root;
+                                let _e857 = phi_1362_;
+                                if (_e809 == 0u) {
+                                    phi_1372_ = _e794.unnamed_1.root;
                                 } else {
-                                    phi_1454_ = _e790.unnamed_1.first_primitive;
+                                    phi_1372_ = _e794.unnamed_1.first_primitive;
                                 }
-                                let _e862 = phi_1454_;
-                                let _e875 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 + _e368)), ((f32(((_e853 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 + _e369)));
-                                let _e876 = core_intrinsics_minimum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e564) + (_e585 + _e370)));
-                                if (_e841 <= _e876) {
-                                    if (_e841 <= _e528.t) {
-                                        if (_e876 >= _e153.tmin) {
-                                            if (_e805 == 0u) {
-                                                let _e883 = nodes.member[(0u + _e526)].links[2u];
-                                                phi_1490_ = _e883;
+                                let _e866 = phi_1372_;
+                                let _e879 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e848 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 + _e372)), ((f32(((_e857 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 + _e373)));
+                                let _e880 = core_intrinsics_minimum_number_nsz_f32_(_e879, ((f32(((_e866 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e568) + (_e589 + _e374)));
+                                if (_e845 <= _e880) {
+                                    if (_e845 <= _e532.t) {
+                                        if (_e880 >= _e157.tmin) {
+                                            if (_e809 == 0u) {
+                                                let _e887 = nodes.member[(0u + _e530)].links[2u];
+                                                phi_1408_ = _e887;
                                             } else {
-                                                let _e886 = nodes.member[(0u + _e526)].links[3u];
-                                                phi_1490_ = _e886;
+                                                let _e890 = nodes.member[(0u + _e530)].links[3u];
+                                                phi_1408_ = _e890;
                                             }
-                                            let _e888 = phi_1490_;
-                                            let _e893 = ((_e888 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u);
-                                            let _e894 = (_e893 & 31u);
-                                            if (_e894 >= 24u) {
-                                                phi_1503_ = (24u + ((_e894 - 24u) ^ _e388));
+                                            let _e892 = phi_1408_;
+                                            let _e897 = ((_e892 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u);
+                                            let _e898 = (_e897 & 31u);
+                                            if (_e898 >= 24u) {
+                                                phi_1421_ = (24u + ((_e898 - 24u) ^ _e392));
                                             } else {
-                                                phi_1503_ = _e894;
+                                                phi_1421_ = _e898;
                                             }
-                                            let _e900 = phi_1503_;
-                                            phi_1508_ = (_e802 | ((_e893 >> bitcast<u32>(5i)) << bitcast<u32>((_e900 & 31u))));
+                                            let _e904 = phi_1421_;
+                                            phi_1426_ = (_e806 | ((_e897 >> bitcast<u32>(5i)) << bitcast<u32>((_e904 & 31u))));
                                         } else {
-                                            phi_1508_ = _e802;
+                                            phi_1426_ = _e806;
                                         }
-                                        let _e908 = phi_1508_;
-                                        phi_1509_ = _e908;
+                                        let _e912 = phi_1426_;
+                                        phi_1427_ = _e912;
                                     } else {
-                                        phi_1509_ = _e802;
+                                        phi_1427_ = _e806;
                                     }
-                                    let _e910 = phi_1509_;
-                                    phi_1510_ = _e910;
+                                    let _e914 = phi_1427_;
+                                    phi_1428_ = _e914;
                                 } else {
-                                    phi_1510_ = _e802;
+                                    phi_1428_ = _e806;
                                 }
-                                let _e912 = phi_1510_;
-                                phi_1380_ = (_e800 + 1u);
-                                phi_1383_ = _e912;
+                                let _e916 = phi_1428_;
+                                phi_1298_ = (_e804 + 1u);
+                                phi_1301_ = _e916;
                             } else {
-                                phi_1380_ = u32();
-                                phi_1383_ = u32();
+                                phi_1298_ = u32();
+                                phi_1301_ = u32();
                             }
-                            let _e915 = phi_1380_;
-                            let _e917 = phi_1383_;
+                            let _e919 = phi_1298_;
+                            let _e921 = phi_1301_;
                             continue;
                             continuing {
-                                phi_1379_ = _e915;
-                                phi_1382_ = _e917;
-                                break if !(_e803);
+                                phi_1297_ = _e919;
+                                phi_1300_ = _e921;
+                                break if !(_e807);
                             }
                         }
-                        let _e921 = nodes.member[(0u + _e526)].links[0u];
-                        let _e925 = nodes.member[(0u + _e526)].frame[3u];
-                        let _e929 = local_5;
-                        if ((_e929 & 4278190080u) == 0u) {
+                        let _e925 = nodes.member[(0u + _e530)].links[0u];
+                        let _e929 = nodes.member[(0u + _e530)].frame[3u];
+                        let _e933 = local_3;
+                        if ((_e933 & 4278190080u) == 0u) {
                         } else {
-                            let _e933 = local_4.group_mask;
-                            if ((_e933 & 4278190080u) == 0u) {
+                            let _e937 = local_2.group_mask;
+                            if ((_e937 & 4278190080u) == 0u) {
                             } else {
-                                let _e937 = local_4.len;
-                                if (_e937 < 32u) {
-                                    let _e940 = local_4.group;
-                                    let _e942 = local_4.len;
-                                    if (_e942 < 32u) {
+                                let _e941 = local_2.len;
+                                if (_e941 < 32u) {
+                                    let _e944 = local_2.group;
+                                    let _e946 = local_2.len;
+                                    if (_e946 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_4.first[(0u + _e942)] = _e940;
-                                    let _e948 = local_4.group_mask;
-                                    let _e950 = local_4.len;
-                                    if (_e950 < 32u) {
+                                    local_2.first[(0u + _e946)] = _e944;
+                                    let _e952 = local_2.group_mask;
+                                    let _e954 = local_2.len;
+                                    if (_e954 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_4.mask[(0u + _e950)] = _e948;
-                                    let _e957 = local_4.len;
-                                    local_4.len = (_e957 + 1u);
+                                    local_2.mask[(0u + _e954)] = _e952;
+                                    let _e961 = local_2.len;
+                                    local_2.len = (_e961 + 1u);
                                 }
                             }
-                            local_4.group = (_e102 + _e921);
-                            let _e961 = local_6;
-                            local_4.group_mask = ((_e961 & 4278190080u) | (_e925 >> bitcast<u32>(24i)));
+                            local_2.group = (_e106 + _e925);
+                            let _e965 = local_4;
+                            local_2.group_mask = ((_e965 & 4278190080u) | (_e929 >> bitcast<u32>(24i)));
                         }
-                        let _e966 = local_7;
-                        phi_1568_ = (_e966 & 16777215u);
-                        phi_1571_ = _e528;
+                        let _e970 = local_5;
+                        phi_1486_ = (_e970 & 16777215u);
+                        phi_1489_ = _e532;
                         loop {
-                            let _e969 = phi_1568_;
-                            let _e971 = phi_1571_;
-                            local_13 = _e971;
-                            if (_e969 == 0u) {
-                                phi_1569_ = u32();
-                                phi_1572_ = lt_bvh_Hit();
-                                phi_3135_ = false;
+                            let _e973 = phi_1486_;
+                            let _e975 = phi_1489_;
+                            local_11 = _e975;
+                            if (_e973 == 0u) {
+                                phi_1487_ = u32();
+                                phi_1490_ = lt_bvh_Hit();
+                                phi_3075_ = false;
                             } else {
-                                let _e975 = nodes.member[(0u + _e526)].links[1u];
-                                let _e979 = (_e975 + select(firstTrailingBit(_e969), 32u, (_e969 == 0u)));
-                                if (_e979 < _e87) {
+                                let _e979 = nodes.member[(0u + _e530)].links[1u];
+                                let _e983 = (_e979 + select(firstTrailingBit(_e973), 32u, (_e973 == 0u)));
+                                if (_e983 < _e91) {
                                 } else {
                                     return;
                                 }
-                                let _e986 = instances.member[(0u + _e979)].low_world;
-                                let _e988 = instances.member[(0u + _e979)].high_world;
-                                let _e998 = ((_e986.x - _e153.origin.x) * _e307);
-                                let _e999 = ((_e986.y - _e153.origin.y) * _e319);
-                                let _e1000 = ((_e986.z - _e153.origin.z) * _e331);
-                                let _e1010 = ((_e988.x - _e153.origin.x) * _e307);
-                                let _e1011 = ((_e988.y - _e153.origin.y) * _e319);
-                                let _e1012 = ((_e988.z - _e153.origin.z) * _e331);
-                                if (_e998 < _e1010) {
-                                    phi_1626_ = _e998;
+                                let _e990 = instances.member[(0u + _e983)].low_world;
+                                let _e992 = instances.member[(0u + _e983)].high_world;
+                                let _e1002 = ((_e990.x - _e157.origin.x) * _e311);
+                                let _e1003 = ((_e990.y - _e157.origin.y) * _e323);
+                                let _e1004 = ((_e990.z - _e157.origin.z) * _e335);
+                                let _e1014 = ((_e992.x - _e157.origin.x) * _e311);
+                                let _e1015 = ((_e992.y - _e157.origin.y) * _e323);
+                                let _e1016 = ((_e992.z - _e157.origin.z) * _e335);
+                                if (_e1002 < _e1014) {
+                                    phi_1544_ = _e1002;
                                 } else {
-                                    phi_1626_ = _e1010;
+                                    phi_1544_ = _e1014;
                                 }
-                                let _e1015 = phi_1626_;
-                                if (_e999 < _e1011) {
-                                    phi_1631_ = _e999;
+                                let _e1019 = phi_1544_;
+                                if (_e1003 < _e1015) {
+                                    phi_1549_ = _e1003;
                                 } else {
-                                    phi_1631_ = _e1011;
+                                    phi_1549_ = _e1015;
                                 }
-                                let _e1018 = phi_1631_;
-                                if (_e1000 < _e1012) {
-                                    phi_1636_ = _e1000;
+                                let _e1022 = phi_1549_;
+                                if (_e1004 < _e1016) {
+                                    phi_1554_ = _e1004;
                                 } else {
-                                    phi_1636_ = _e1012;
+                                    phi_1554_ = _e1016;
                                 }
-                                let _e1021 = phi_1636_;
-                                if (_e998 > _e1010) {
-                                    phi_1644_ = _e998;
+                                let _e1025 = phi_1554_;
+                                if (_e1002 > _e1014) {
+                                    phi_1562_ = _e1002;
                                 } else {
-                                    phi_1644_ = _e1010;
+                                    phi_1562_ = _e1014;
                                 }
-                                let _e1027 = phi_1644_;
-                                if (_e999 > _e1011) {
-                                    phi_1649_ = _e999;
+                                let _e1031 = phi_1562_;
+                                if (_e1003 > _e1015) {
+                                    phi_1567_ = _e1003;
                                 } else {
-                                    phi_1649_ = _e1011;
+                                    phi_1567_ = _e1015;
                                 }
-                                let _e1030 = phi_1649_;
-                                if (_e1000 > _e1012) {
-                                    phi_1654_ = _e1000;
+                                let _e1034 = phi_1567_;
+                                if (_e1004 > _e1016) {
+                                    phi_1572_ = _e1004;
                                 } else {
-                                    phi_1654_ = _e1012;
+                                    phi_1572_ = _e1016;
                                 }
-                                let _e1033 = phi_1654_;
-                                let _e1037 = core_intrinsics_maximum_number_nsz_f32_((_e1015 - _e375), (_e1018 - _e376));
-                                let _e1038 = core_intrinsics_maximum_number_nsz_f32_(_e1037, (_e1021 - _e377));
-                                let _e1039 = core_intrinsics_minimum_number_nsz_f32_((_e1027 + _e375), (_e1030 + _e376));
-                                let _e1040 = core_intrinsics_minimum_number_nsz_f32_(_e1039, (_e1033 + _e377));
-                                if (_e1038 <= _e1040) {
-                                    if (_e1038 <= _e971.t) {
-                                        if (_e1040 >= _e153.tmin) {
-                                            let _e1052 = instances.member[(0u + _e979)].world_to_object[0u];
-                                            let _e1063 = ((((_e1052.x * _e153.origin.x) + (_e1052.y * _e153.origin.y)) + (_e1052.z * _e153.origin.z)) + (_e1052.w * 1f));
-                                            let _e1065 = instances.member[(0u + _e979)].world_to_object[1u];
-                                            let _e1076 = ((((_e1065.x * _e153.origin.x) + (_e1065.y * _e153.origin.y)) + (_e1065.z * _e153.origin.z)) + (_e1065.w * 1f));
-                                            let _e1078 = instances.member[(0u + _e979)].world_to_object[2u];
-                                            let _e1089 = ((((_e1078.x * _e153.origin.x) + (_e1078.y * _e153.origin.y)) + (_e1078.z * _e153.origin.z)) + (_e1078.w * 1f));
-                                            let _e1096 = instances.member[(0u + _e979)].world_to_object[0u];
-                                            let _e1107 = ((((_e1096.x * _e153.direction.x) + (_e1096.y * _e153.direction.y)) + (_e1096.z * _e153.direction.z)) + (_e1096.w * 0f));
-                                            let _e1109 = instances.member[(0u + _e979)].world_to_object[1u];
-                                            let _e1120 = ((((_e1109.x * _e153.direction.x) + (_e1109.y * _e153.direction.y)) + (_e1109.z * _e153.direction.z)) + (_e1109.w * 0f));
-                                            let _e1122 = instances.member[(0u + _e979)].world_to_object[2u];
-                                            let _e1133 = ((((_e1122.x * _e153.direction.x) + (_e1122.y * _e153.direction.y)) + (_e1122.z * _e153.direction.z)) + (_e1122.w * 0f));
-                                            let _e1137 = instances.member[(0u + _e979)].root;
-                                            let _e1139 = instances.member[(0u + _e979)].first_triangle;
-                                            let _e1143 = abs(_e1107);
-                                            let _e1144 = abs(_e1120);
-                                            let _e1145 = abs(_e1133);
-                                            if (abs(_e1063) < 1000000000000000f) {
-                                                if (abs(_e1076) < 1000000000000000f) {
-                                                    if (abs(_e1089) < 1000000000000000f) {
-                                                        if (_e1143 < 1000000000000000f) {
-                                                            if (_e1144 < 1000000000000000f) {
-                                                                if (_e1145 < 1000000000000000f) {
-                                                                    if (_e1143 > 0f) {
-                                                                        phi_1810_ = bool();
-                                                                        phi_1811_ = true;
+                                let _e1037 = phi_1572_;
+                                let _e1041 = core_intrinsics_maximum_number_nsz_f32_((_e1019 - _e379), (_e1022 - _e380));
+                                let _e1042 = core_intrinsics_maximum_number_nsz_f32_(_e1041, (_e1025 - _e381));
+                                let _e1043 = core_intrinsics_minimum_number_nsz_f32_((_e1031 + _e379), (_e1034 + _e380));
+                                let _e1044 = core_intrinsics_minimum_number_nsz_f32_(_e1043, (_e1037 + _e381));
+                                if (_e1042 <= _e1044) {
+                                    if (_e1042 <= _e975.t) {
+                                        if (_e1044 >= _e157.tmin) {
+                                            let _e1056 = instances.member[(0u + _e983)].world_to_object[0u];
+                                            let _e1067 = ((((_e1056.x * _e157.origin.x) + (_e1056.y * _e157.origin.y)) + (_e1056.z * _e157.origin.z)) + (_e1056.w * 1f));
+                                            let _e1069 = instances.member[(0u + _e983)].world_to_object[1u];
+                                            let _e1080 = ((((_e1069.x * _e157.origin.x) + (_e1069.y * _e157.origin.y)) + (_e1069.z * _e157.origin.z)) + (_e1069.w * 1f));
+                                            let _e1082 = instances.member[(0u + _e983)].world_to_object[2u];
+                                            let _e1093 = ((((_e1082.x * _e157.origin.x) + (_e1082.y * _e157.origin.y)) + (_e1082.z * _e157.origin.z)) + (_e1082.w * 1f));
+                                            let _e1100 = instances.member[(0u + _e983)].world_to_object[0u];
+                                            let _e1111 = ((((_e1100.x * _e157.direction.x) + (_e1100.y * _e157.direction.y)) + (_e1100.z * _e157.direction.z)) + (_e1100.w * 0f));
+                                            let _e1113 = instances.member[(0u + _e983)].world_to_object[1u];
+                                            let _e1124 = ((((_e1113.x * _e157.direction.x) + (_e1113.y * _e157.direction.y)) + (_e1113.z * _e157.direction.z)) + (_e1113.w * 0f));
+                                            let _e1126 = instances.member[(0u + _e983)].world_to_object[2u];
+                                            let _e1137 = ((((_e1126.x * _e157.direction.x) + (_e1126.y * _e157.direction.y)) + (_e1126.z * _e157.direction.z)) + (_e1126.w * 0f));
+                                            let _e1142 = instances.member[(0u + _e983)].root;
+                                            let _e1144 = instances.member[(0u + _e983)].first_triangle;
+                                            let _e1148 = abs(_e1111);
+                                            let _e1149 = abs(_e1124);
+                                            let _e1150 = abs(_e1137);
+                                            if (abs(_e1067) < 1000000000000000f) {
+                                                if (abs(_e1080) < 1000000000000000f) {
+                                                    if (abs(_e1093) < 1000000000000000f) {
+                                                        if (_e1148 < 1000000000000000f) {
+                                                            if (_e1149 < 1000000000000000f) {
+                                                                if (_e1150 < 1000000000000000f) {
+                                                                    if (_e1148 > 0f) {
+                                                                        phi_1729_ = bool();
+                                                                        phi_1730_ = true;
                                                                     } else {
-                                                                        let _e1153 = (_e1144 > 0f);
-                                                                        if _e1153 {
-                                                                            phi_1809_ = bool();
+                                                                        let _e1158 = (_e1149 > 0f);
+                                                                        if _e1158 {
+                                                                            phi_1728_ = bool();
                                                                         } else {
-                                                                            phi_1809_ = (_e1145 > 0f);
+                                                                            phi_1728_ = (_e1150 > 0f);
                                                                         }
-                                                                        let _e1156 = phi_1809_;
-                                                                        phi_1810_ = _e1156;
-                                                                        phi_1811_ = _e1153;
+                                                                        let _e1161 = phi_1728_;
+                                                                        phi_1729_ = _e1161;
+                                                                        phi_1730_ = _e1158;
                                                                     }
-                                                                    let _e1158 = phi_1810_;
-                                                                    let _e1160 = phi_1811_;
-                                                                    if _e1160 {
-                                                                        phi_1815_ = true;
+                                                                    let _e1163 = phi_1729_;
+                                                                    let _e1165 = phi_1730_;
+                                                                    if _e1165 {
+                                                                        phi_1734_ = true;
                                                                     } else {
-                                                                        phi_1815_ = _e1158;
+                                                                        phi_1734_ = _e1163;
                                                                     }
-                                                                    let _e1162 = phi_1815_;
-                                                                    phi_1816_ = _e1162;
-                                                                    phi_1817_ = false;
+                                                                    let _e1167 = phi_1734_;
+                                                                    phi_1735_ = _e1167;
+                                                                    phi_1736_ = false;
                                                                 } else {
-                                                                    phi_1816_ = bool();
-                                                                    phi_1817_ = true;
+                                                                    phi_1735_ = bool();
+                                                                    phi_1736_ = true;
                                                                 }
-                                                                let _e1164 = phi_1816_;
-                                                                let _e1166 = phi_1817_;
-                                                                phi_1818_ = _e1164;
-                                                                phi_1819_ = false;
-                                                                phi_1820_ = _e1166;
+                                                                let _e1169 = phi_1735_;
+                                                                let _e1171 = phi_1736_;
+                                                                phi_1737_ = _e1169;
+                                                                phi_1738_ = false;
+                                                                phi_1739_ = _e1171;
                                                             } else {
-                                                                phi_1818_ = bool();
-                                                                phi_1819_ = true;
-                                                                phi_1820_ = false;
+                                                                phi_1737_ = bool();
+                                                                phi_1738_ = true;
+                                                                phi_1739_ = false;
                                                             }
-                                                            let _e1168 = phi_1818_;
-                                                            let _e1170 = phi_1819_;
-                                                            let _e1172 = phi_1820_;
-                                                            phi_1821_ = _e1168;
-                                                            phi_1822_ = _e1170;
-                                                            phi_1823_ = _e1172;
+                                                            let _e1173 = phi_1737_;
+                                                            let _e1175 = phi_1738_;
+                                                            let _e1177 = phi_1739_;
+                                                            phi_1740_ = _e1173;
+                                                            phi_1741_ = _e1175;
+                                                            phi_1742_ = _e1177;
                                                         } else {
-                                                            phi_1821_ = bool();
-                                                            phi_1822_ = true;
-                                                            phi_1823_ = false;
+                                                            phi_1740_ = bool();
+                                                            phi_1741_ = true;
+                                                            phi_1742_ = false;
                                                         }
-                                                        let _e1174 = phi_1821_;
-                                                        let _e1176 = phi_1822_;
-                                                        let _e1178 = phi_1823_;
-                                                        phi_1824_ = _e1174;
-                                                        phi_1825_ = _e1176;
-                                                        phi_1826_ = _e1178;
+                                                        let _e1179 = phi_1740_;
+                                                        let _e1181 = phi_1741_;
+                                                        let _e1183 = phi_1742_;
+                                                        phi_1743_ = _e1179;
+                                                        phi_1744_ = _e1181;
+                                                        phi_1745_ = _e1183;
                                                     } else {
-                                                        phi_1824_ = bool();
-                                                        phi_1825_ = true;
-                                                        phi_1826_ = false;
+                                                        phi_1743_ = bool();
+                                                        phi_1744_ = true;
+                                                        phi_1745_ = false;
                                                     }
-                                                    let _e1180 = phi_1824_;
-                                                    let _e1182 = phi_1825_;
-                                                    let _e1184 = phi_1826_;
-                                                    phi_1827_ = _e1180;
-                                                    phi_1828_ = _e1182;
-                                                    phi_1829_ = _e1184;
+                                                    let _e1185 = phi_1743_;
+                                                    let _e1187 = phi_1744_;
+                                                    let _e1189 = phi_1745_;
+                                                    phi_1746_ = _e1185;
+                                                    phi_1747_ = _e1187;
+                                                    phi_1748_ = _e1189;
                                                 } else {
-                                                    phi_1827_ = bool();
-                                                    phi_1828_ = true;
-                                                    phi_1829_ = false;
+                                                    phi_1746_ = bool();
+                                                    phi_1747_ = true;
+                                                    phi_1748_ = false;
                                                 }
-                                                let _e1186 = phi_1827_;
-                                                let _e1188 = phi_1828_;
-                                                let _e1190 = phi_1829_;
-                                                phi_1830_ = _e1186;
-                                                phi_1831_ = _e1188;
-                                                phi_1832_ = _e1190;
+                                                let _e1191 = phi_1746_;
+                                                let _e1193 = phi_1747_;
+                                                let _e1195 = phi_1748_;
+                                                phi_1749_ = _e1191;
+                                                phi_1750_ = _e1193;
+                                                phi_1751_ = _e1195;
                                             } else {
-                                                phi_1830_ = bool();
-                                                phi_1831_ = true;
-                                                phi_1832_ = false;
+                                                phi_1749_ = bool();
+                                                phi_1750_ = true;
+                                                phi_1751_ = false;
                                             }
-                                            let _e1192 = phi_1830_;
-                                            let _e1194 = phi_1831_;
-                                            let _e1196 = phi_1832_;
-                                            if _e1194 {
-                                                phi_1836_ = true;
+                                            let _e1197 = phi_1749_;
+                                            let _e1199 = phi_1750_;
+                                            let _e1201 = phi_1751_;
+                                            if _e1199 {
+                                                phi_1755_ = true;
                                             } else {
-                                                phi_1836_ = _e1196;
+                                                phi_1755_ = _e1201;
                                             }
-                                            let _e1198 = phi_1836_;
-                                            if _e1198 {
-                                                phi_1840_ = false;
+                                            let _e1203 = phi_1755_;
+                                            if _e1203 {
+                                                phi_1759_ = false;
                                             } else {
-                                                phi_1840_ = _e1192;
+                                                phi_1759_ = _e1197;
                                             }
-                                            let _e1200 = phi_1840_;
-                                            if _e1200 {
-                                                let _e1201 = (_e1137 >= _e72);
-                                                if _e1201 {
-                                                    phi_3125_ = lt_bvh_Hit();
+                                            let _e1205 = phi_1759_;
+                                            if _e1205 {
+                                                let _e1206 = (_e1142 >= _e76);
+                                                if _e1206 {
+                                                    phi_3065_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1137 < _e72) {
+                                                    if (_e1142 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1207 = nodes.member[(0u + _e1137)].frame[0u];
-                                                    let _e1211 = nodes.member[(0u + _e1137)].frame[1u];
-                                                    let _e1215 = nodes.member[(0u + _e1137)].frame[2u];
-                                                    let _e1219 = nodes.member[(0u + _e1137)].frame[0u];
-                                                    let _e1223 = nodes.member[(0u + _e1137)].frame[1u];
-                                                    let _e1227 = nodes.member[(0u + _e1137)].frame[2u];
-                                                    let _e1231 = nodes.member[(0u + _e1137)].frame[3u];
-                                                    let _e1265 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1107), abs(_e1120));
-                                                    let _e1266 = core_intrinsics_maximum_number_nsz_f32_(_e1265, abs(_e1133));
-                                                    let _e1267 = (_e1266 * 0.0000000000009094947f);
-                                                    if (abs(_e1107) < _e1267) {
-                                                        phi_1910_ = _e1267;
+                                                    let _e1212 = nodes.member[(0u + _e1142)].frame[0u];
+                                                    let _e1216 = nodes.member[(0u + _e1142)].frame[1u];
+                                                    let _e1220 = nodes.member[(0u + _e1142)].frame[2u];
+                                                    let _e1224 = nodes.member[(0u + _e1142)].frame[0u];
+                                                    let _e1228 = nodes.member[(0u + _e1142)].frame[1u];
+                                                    let _e1232 = nodes.member[(0u + _e1142)].frame[2u];
+                                                    let _e1236 = nodes.member[(0u + _e1142)].frame[3u];
+                                                    let _e1270 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1111), abs(_e1124));
+                                                    let _e1271 = core_intrinsics_maximum_number_nsz_f32_(_e1270, abs(_e1137));
+                                                    let _e1272 = (_e1271 * 0.0000000000009094947f);
+                                                    if (abs(_e1111) < _e1272) {
+                                                        phi_1829_ = _e1272;
                                                     } else {
-                                                        phi_1910_ = abs(_e1107);
+                                                        phi_1829_ = abs(_e1111);
                                                     }
-                                                    let _e1272 = phi_1910_;
-                                                    if (_e1107 < 0f) {
-                                                        phi_1917_ = (-1f / _e1272);
+                                                    let _e1277 = phi_1829_;
+                                                    if (_e1111 < 0f) {
+                                                        phi_1836_ = (-1f / _e1277);
                                                     } else {
-                                                        phi_1917_ = (1f / _e1272);
+                                                        phi_1836_ = (1f / _e1277);
                                                     }
-                                                    let _e1277 = phi_1917_;
-                                                    if (abs(_e1120) < _e1267) {
-                                                        phi_1924_ = _e1267;
+                                                    let _e1282 = phi_1836_;
+                                                    if (abs(_e1124) < _e1272) {
+                                                        phi_1843_ = _e1272;
                                                     } else {
-                                                        phi_1924_ = abs(_e1120);
+                                                        phi_1843_ = abs(_e1124);
                                                     }
-                                                    let _e1282 = phi_1924_;
-                                                    if (_e1120 < 0f) {
-                                                        phi_1931_ = (-1f / _e1282);
+                                                    let _e1287 = phi_1843_;
+                                                    if (_e1124 < 0f) {
+                                                        phi_1850_ = (-1f / _e1287);
                                                     } else {
-                                                        phi_1931_ = (1f / _e1282);
+                                                        phi_1850_ = (1f / _e1287);
                                                     }
-                                                    let _e1287 = phi_1931_;
-                                                    if (abs(_e1133) < _e1267) {
-                                                        phi_1938_ = _e1267;
+                                                    let _e1292 = phi_1850_;
+                                                    if (abs(_e1137) < _e1272) {
+                                                        phi_1857_ = _e1272;
                                                     } else {
-                                                        phi_1938_ = abs(_e1133);
+                                                        phi_1857_ = abs(_e1137);
                                                     }
-                                                    let _e1292 = phi_1938_;
-                                                    if (_e1133 < 0f) {
-                                                        phi_1945_ = (-1f / _e1292);
+                                                    let _e1297 = phi_1857_;
+                                                    if (_e1137 < 0f) {
+                                                        phi_1864_ = (-1f / _e1297);
                                                     } else {
-                                                        phi_1945_ = (1f / _e1292);
+                                                        phi_1864_ = (1f / _e1297);
                                                     }
-                                                    let _e1297 = phi_1945_;
-                                                    let _e1301 = abs((bitcast<f32>(_e1207) - _e1063));
-                                                    let _e1302 = abs((bitcast<f32>(_e1211) - _e1076));
-                                                    let _e1303 = abs((bitcast<f32>(_e1215) - _e1089));
-                                                    let _e1307 = abs(((bitcast<f32>(_e1219) + (bitcast<f32>((((_e1231 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1063));
-                                                    let _e1308 = abs(((bitcast<f32>(_e1223) + (bitcast<f32>((((_e1231 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1076));
-                                                    let _e1309 = abs(((bitcast<f32>(_e1227) + (bitcast<f32>((((_e1231 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1089));
-                                                    if (_e1301 > _e1307) {
-                                                        phi_1962_ = _e1301;
+                                                    let _e1302 = phi_1864_;
+                                                    let _e1306 = abs((bitcast<f32>(_e1212) - _e1067));
+                                                    let _e1307 = abs((bitcast<f32>(_e1216) - _e1080));
+                                                    let _e1308 = abs((bitcast<f32>(_e1220) - _e1093));
+                                                    let _e1312 = abs(((bitcast<f32>(_e1224) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1067));
+                                                    let _e1313 = abs(((bitcast<f32>(_e1228) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1080));
+                                                    let _e1314 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1093));
+                                                    if (_e1306 > _e1312) {
+                                                        phi_1881_ = _e1306;
                                                     } else {
-                                                        phi_1962_ = _e1307;
+                                                        phi_1881_ = _e1312;
                                                     }
-                                                    let _e1312 = phi_1962_;
-                                                    if (_e1302 > _e1308) {
-                                                        phi_1967_ = _e1302;
+                                                    let _e1317 = phi_1881_;
+                                                    if (_e1307 > _e1313) {
+                                                        phi_1886_ = _e1307;
                                                     } else {
-                                                        phi_1967_ = _e1308;
+                                                        phi_1886_ = _e1313;
                                                     }
-                                                    let _e1315 = phi_1967_;
-                                                    if (_e1303 > _e1309) {
-                                                        phi_1972_ = _e1303;
+                                                    let _e1320 = phi_1886_;
+                                                    if (_e1308 > _e1314) {
+                                                        phi_1891_ = _e1308;
                                                     } else {
-                                                        phi_1972_ = _e1309;
+                                                        phi_1891_ = _e1314;
                                                     }
-                                                    let _e1318 = phi_1972_;
-                                                    let _e1319 = core_intrinsics_maximum_number_nsz_f32_(_e1312, _e1315);
-                                                    let _e1320 = core_intrinsics_maximum_number_nsz_f32_(_e1319, _e1318);
-                                                    let _e1324 = (_e1320 * 0.0000019073486f);
-                                                    let _e1325 = (abs(_e1277) * _e1324);
-                                                    let _e1326 = (abs(_e1287) * _e1324);
-                                                    let _e1327 = (abs(_e1297) * _e1324);
-                                                    let _e1331 = (_e1320 * 0.0000009536743f);
-                                                    let _e1332 = (abs(_e1277) * _e1331);
-                                                    let _e1333 = (abs(_e1287) * _e1331);
-                                                    let _e1334 = (abs(_e1297) * _e1331);
-                                                    let _e1335 = abs(_e1107);
-                                                    let _e1336 = abs(_e1120);
-                                                    let _e1337 = abs(_e1133);
-                                                    if (_e1335 >= _e1336) {
-                                                        if (_e1335 >= _e1337) {
-                                                            phi_2000_ = false;
+                                                    let _e1323 = phi_1891_;
+                                                    let _e1324 = core_intrinsics_maximum_number_nsz_f32_(_e1317, _e1320);
+                                                    let _e1325 = core_intrinsics_maximum_number_nsz_f32_(_e1324, _e1323);
+                                                    let _e1329 = (_e1325 * 0.0000019073486f);
+                                                    let _e1330 = (abs(_e1282) * _e1329);
+                                                    let _e1331 = (abs(_e1292) * _e1329);
+                                                    let _e1332 = (abs(_e1302) * _e1329);
+                                                    let _e1336 = (_e1325 * 0.0000009536743f);
+                                                    let _e1337 = (abs(_e1282) * _e1336);
+                                                    let _e1338 = (abs(_e1292) * _e1336);
+                                                    let _e1339 = (abs(_e1302) * _e1336);
+                                                    let _e1340 = abs(_e1111);
+                                                    let _e1341 = abs(_e1124);
+                                                    let _e1342 = abs(_e1137);
+                                                    if (_e1340 >= _e1341) {
+                                                        if (_e1340 >= _e1342) {
+                                                            phi_1919_ = false;
                                                         } else {
-                                                            phi_2000_ = true;
+                                                            phi_1919_ = true;
                                                         }
-                                                        let _e1341 = phi_2000_;
-                                                        phi_2001_ = _e1341;
+                                                        let _e1346 = phi_1919_;
+                                                        phi_1920_ = _e1346;
                                                     } else {
-                                                        phi_2001_ = true;
+                                                        phi_1920_ = true;
                                                     }
-                                                    let _e1343 = phi_2001_;
-                                                    if _e1343 {
-                                                        if (_e1336 >= _e1337) {
-                                                            phi_2009_ = 1u;
+                                                    let _e1348 = phi_1920_;
+                                                    if _e1348 {
+                                                        if (_e1341 >= _e1342) {
+                                                            phi_1928_ = 1u;
                                                         } else {
-                                                            phi_2009_ = 2u;
+                                                            phi_1928_ = 2u;
                                                         }
-                                                        let _e1346 = phi_2009_;
-                                                        phi_2010_ = _e1346;
+                                                        let _e1351 = phi_1928_;
+                                                        phi_1929_ = _e1351;
                                                     } else {
-                                                        phi_2010_ = 0u;
+                                                        phi_1929_ = 0u;
                                                     }
-                                                    let _e1348 = phi_2010_;
-                                                    if (_e1348 == 0u) {
-                                                        phi_2022_ = vec3<f32>(_e1120, _e1133, _e1107);
+                                                    let _e1353 = phi_1929_;
+                                                    if (_e1353 == 0u) {
+                                                        phi_1941_ = vec3<f32>(_e1124, _e1137, _e1111);
                                                     } else {
-                                                        if (_e1348 == 1u) {
-                                                            phi_2021_ = vec3<f32>(_e1133, _e1107, _e1120);
+                                                        if (_e1353 == 1u) {
+                                                            phi_1940_ = vec3<f32>(_e1137, _e1111, _e1124);
                                                         } else {
-                                                            phi_2021_ = vec3<f32>(_e1107, _e1120, _e1133);
+                                                            phi_1940_ = vec3<f32>(_e1111, _e1124, _e1137);
                                                         }
-                                                        let _e1354 = phi_2021_;
-                                                        phi_2022_ = _e1354;
+                                                        let _e1359 = phi_1940_;
+                                                        phi_1941_ = _e1359;
                                                     }
-                                                    let _e1356 = phi_2022_;
-                                                    let _e1359 = (_e1356.x / _e1356.z);
-                                                    let _e1362 = (_e1356.y / _e1356.z);
-                                                    let _e1364 = (1f / _e1356.z);
-                                                    if (_e1277 < 0f) {
-                                                        phi_2035_ = 0u;
+                                                    let _e1361 = phi_1941_;
+                                                    let _e1364 = (_e1361.x / _e1361.z);
+                                                    let _e1367 = (_e1361.y / _e1361.z);
+                                                    let _e1369 = (1f / _e1361.z);
+                                                    if (_e1282 < 0f) {
+                                                        phi_1954_ = 0u;
                                                     } else {
-                                                        phi_2035_ = 1u;
+                                                        phi_1954_ = 1u;
                                                     }
-                                                    let _e1367 = phi_2035_;
-                                                    if (_e1287 < 0f) {
-                                                        phi_2040_ = 0u;
+                                                    let _e1372 = phi_1954_;
+                                                    if (_e1292 < 0f) {
+                                                        phi_1959_ = 0u;
                                                     } else {
-                                                        phi_2040_ = 2u;
+                                                        phi_1959_ = 2u;
                                                     }
-                                                    let _e1370 = phi_2040_;
-                                                    if (_e1297 < 0f) {
-                                                        phi_2045_ = 0u;
+                                                    let _e1375 = phi_1959_;
+                                                    if (_e1302 < 0f) {
+                                                        phi_1964_ = 0u;
                                                     } else {
-                                                        phi_2045_ = 4u;
+                                                        phi_1964_ = 4u;
                                                     }
-                                                    let _e1373 = phi_2045_;
-                                                    let _e1375 = ((_e1367 | _e1370) | _e1373);
-                                                    let _e1376 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1137, 2147483648u);
-                                                    local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e1376.first[0], _e1376.first[1], _e1376.first[2], _e1376.first[3], _e1376.first[4], _e1376.first[5], _e1376.first[6], _e1376.first[7], _e1376.first[8], _e1376.first[9], _e1376.first[10], _e1376.first[11], _e1376.first[12], _e1376.first[13], _e1376.first[14], _e1376.first[15], _e1376.first[16], _e1376.first[17], _e1376.first[18], _e1376.first[19], _e1376.first[20], _e1376.first[21], _e1376.first[22], _e1376.first[23], _e1376.first[24], _e1376.first[25], _e1376.first[26], _e1376.first[27], _e1376.first[28], _e1376.first[29], _e1376.first[30], _e1376.first[31]), array<u32, 32>(_e1376.mask[0], _e1376.mask[1], _e1376.mask[2], _e1376.mask[3], _e1376.mask[4], _e1376.mask[5], _e1376.mask[6], _e1376.mask[7], _e1376.mask[8], _e1376.mask[9], _e1376.mask[10], _e1376.mask[11], _e1376.mask[12], _e1376.mask[13], _e1376.mask[14], _e1376.mask[15], _e1376.mask[16], _e1376.mask[17], _e1376.mask[18], _e1376.mask[19], _e1376.mask[20], _e1376.mask[21], _e1376.mask[22], _e1376.mask[23], _e1376.mask[24], _e1376.mask[25], _e1376.mask[26], _e1376.mask[27], _e1376.mask[28], _e1376.mask[29], _e1376.mask[30], _e1376.mask[31]), _e1376.len, _e1376.group, _e1376.group_mask);
-                                                    let _e1450 = local_3.group_mask;
-                                                    if ((_e1450 & 4278190080u) == 0u) {
-                                                        let _e1454 = local_3.len;
-                                                        if (_e1454 == 0u) {
-                                                            phi_2159_ = false;
+                                                    let _e1378 = phi_1964_;
+                                                    let _e1380 = ((_e1372 | _e1375) | _e1378);
+                                                    let _e1381 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1142, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1381.first[0], _e1381.first[1], _e1381.first[2], _e1381.first[3], _e1381.first[4], _e1381.first[5], _e1381.first[6], _e1381.first[7], _e1381.first[8], _e1381.first[9], _e1381.first[10], _e1381.first[11], _e1381.first[12], _e1381.first[13], _e1381.first[14], _e1381.first[15], _e1381.first[16], _e1381.first[17], _e1381.first[18], _e1381.first[19], _e1381.first[20], _e1381.first[21], _e1381.first[22], _e1381.first[23], _e1381.first[24], _e1381.first[25], _e1381.first[26], _e1381.first[27], _e1381.first[28], _e1381.first[29], _e1381.first[30], _e1381.first[31]), array<u32, 32>(_e1381.mask[0], _e1381.mask[1], _e1381.mask[2], _e1381.mask[3], _e1381.mask[4], _e1381.mask[5], _e1381.mask[6], _e1381.mask[7], _e1381.mask[8], _e1381.mask[9], _e1381.mask[10], _e1381.mask[11], _e1381.mask[12], _e1381.mask[13], _e1381.mask[14], _e1381.mask[15], _e1381.mask[16], _e1381.mask[17], _e1381.mask[18], _e1381.mask[19], _e1381.mask[20], _e1381.mask[21], _e1381.mask[22], _e1381.mask[23], _e1381.mask[24], _e1381.mask[25], _e1381.mask[26], _e1381.mask[27], _e1381.mask[28], _e1381.mask[29], _e1381.mask[30], _e1381.mask[31]), _e1381.len, _e1381.group, _e1381.group_mask);
+                                                    let _e1455 = local_1.group_mask;
+                                                    if ((_e1455 & 4278190080u) == 0u) {
+                                                        let _e1459 = local_1.len;
+                                                        if (_e1459 == 0u) {
+                                                            phi_2078_ = false;
                                                         } else {
-                                                            let _e1458 = local_3.len;
-                                                            local_3.len = (_e1458 - 1u);
-                                                            let _e1461 = local_3.len;
-                                                            if (_e1461 < 32u) {
+                                                            let _e1463 = local_1.len;
+                                                            local_1.len = (_e1463 - 1u);
+                                                            let _e1466 = local_1.len;
+                                                            if (_e1466 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1466 = local_3.first[(0u + _e1461)];
-                                                            local_3.group = _e1466;
-                                                            let _e1469 = local_3.len;
-                                                            if (_e1469 < 32u) {
+                                                            let _e1471 = local_1.first[(0u + _e1466)];
+                                                            local_1.group = _e1471;
+                                                            let _e1474 = local_1.len;
+                                                            if (_e1474 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1474 = local_3.mask[(0u + _e1469)];
-                                                            local_3.group_mask = _e1474;
-                                                            phi_2159_ = true;
+                                                            let _e1479 = local_1.mask[(0u + _e1474)];
+                                                            local_1.group_mask = _e1479;
+                                                            phi_2078_ = true;
                                                         }
-                                                        let _e1477 = phi_2159_;
-                                                        phi_2160_ = _e1477;
+                                                        let _e1482 = phi_2078_;
+                                                        phi_2079_ = _e1482;
                                                     } else {
-                                                        phi_2160_ = true;
+                                                        phi_2079_ = true;
                                                     }
-                                                    let _e1479 = phi_2160_;
-                                                    if _e1479 {
-                                                        let _e1481 = local_3.group_mask;
-                                                        let _e1487 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1481)), 32u, (_e1481 == 0u)));
-                                                        let _e1491 = local_3.group_mask;
-                                                        let _e1505 = local_3.group_mask;
-                                                        local_3.group_mask = (_e1505 & ~((1u << bitcast<u32>((_e1487 & 31u)))));
-                                                        let _e1508 = local_3.group;
-                                                        phi_2191_ = (_e1508 + countOneBits(((_e1491 & ~((4294967295u << bitcast<u32>((((_e1487 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1484 = phi_2079_;
+                                                    if _e1484 {
+                                                        let _e1486 = local_1.group_mask;
+                                                        let _e1492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1486)), 32u, (_e1486 == 0u)));
+                                                        let _e1496 = local_1.group_mask;
+                                                        let _e1510 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1510 & ~((1u << bitcast<u32>((_e1492 & 31u)))));
+                                                        let _e1513 = local_1.group;
+                                                        phi_2110_ = (_e1513 + countOneBits(((_e1496 & ~((4294967295u << bitcast<u32>((((_e1492 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2191_ = 4294967295u;
+                                                        phi_2110_ = 4294967295u;
                                                     }
-                                                    let _e1511 = phi_2191_;
-                                                    phi_2193_ = _e971;
-                                                    phi_2196_ = _e1511;
+                                                    let _e1516 = phi_2110_;
+                                                    phi_2112_ = _e975;
+                                                    phi_2115_ = _e1516;
                                                     loop {
-                                                        let _e1513 = phi_2193_;
-                                                        let _e1515 = phi_2196_;
-                                                        local_12 = _e1513;
-                                                        let _e1516 = (_e1515 != 4294967295u);
-                                                        if _e1516 {
-                                                            if (_e1515 < _e72) {
+                                                        let _e1518 = phi_2112_;
+                                                        let _e1520 = phi_2115_;
+                                                        local_10 = _e1518;
+                                                        let _e1521 = (_e1520 != 4294967295u);
+                                                        if _e1521 {
+                                                            if (_e1520 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1523 = nodes.member[(0u + _e1515)].frame[3u];
-                                                            let _e1548 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1277);
-                                                            let _e1549 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1287);
-                                                            let _e1550 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1297);
-                                                            let _e1553 = nodes.member[(0u + _e1515)].frame[0u];
-                                                            let _e1557 = nodes.member[(0u + _e1515)].frame[1u];
-                                                            let _e1561 = nodes.member[(0u + _e1515)].frame[2u];
-                                                            let _e1566 = ((bitcast<f32>(_e1553) - _e1063) * _e1277);
-                                                            let _e1567 = ((bitcast<f32>(_e1557) - _e1076) * _e1287);
-                                                            let _e1568 = ((bitcast<f32>(_e1561) - _e1089) * _e1297);
-                                                            let _e1576 = nodes.member[(0u + _e1515)].x;
-                                                            if (_e1277 < 0f) {
-                                                                let _e1587 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1576.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1587.unnamed.root, _e1576.w), _e1587.unnamed_1);
-                                                                let _e1599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1593.unnamed, lt_bvh_traverse_Tree(_e1576.x, _e1593.unnamed_1.first_primitive));
-                                                                phi_2277_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1599.unnamed, lt_bvh_traverse_Tree(_e1599.unnamed_1.root, _e1576.y));
+                                                            let _e1528 = nodes.member[(0u + _e1520)].frame[3u];
+                                                            let _e1553 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1282);
+                                                            let _e1554 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1292);
+                                                            let _e1555 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1302);
+                                                            let _e1558 = nodes.member[(0u + _e1520)].frame[0u];
+                                                            let _e1562 = nodes.member[(0u + _e1520)].frame[1u];
+                                                            let _e1566 = nodes.member[(0u + _e1520)].frame[2u];
+                                                            let _e1571 = ((bitcast<f32>(_e1558) - _e1067) * _e1282);
+                                                            let _e1572 = ((bitcast<f32>(_e1562) - _e1080) * _e1292);
+                                                            let _e1573 = ((bitcast<f32>(_e1566) - _e1093) * _e1302);
+                                                            let _e1581 = nodes.member[(0u + _e1520)].x;
+                                                            if (_e1282 < 0f) {
+                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.unnamed.root, _e1581.w), _e1592.unnamed_1);
+                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1598.unnamed, lt_bvh_traverse_Tree(_e1581.x, _e1598.unnamed_1.first_primitive));
+                                                                phi_2196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_bvh_traverse_Tree(_e1604.unnamed_1.root, _e1581.y));
                                                             } else {
-                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1576.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1615.unnamed.root, _e1576.y), _e1615.unnamed_1);
-                                                                let _e1627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1621.unnamed, lt_bvh_traverse_Tree(_e1576.z, _e1621.unnamed_1.first_primitive));
-                                                                phi_2277_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1627.unnamed, lt_bvh_traverse_Tree(_e1627.unnamed_1.root, _e1576.w));
+                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1620.unnamed.root, _e1581.y), _e1620.unnamed_1);
+                                                                let _e1632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1626.unnamed, lt_bvh_traverse_Tree(_e1581.z, _e1626.unnamed_1.first_primitive));
+                                                                phi_2196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1632.unnamed, lt_bvh_traverse_Tree(_e1632.unnamed_1.root, _e1581.w));
                                                             }
-                                                            let _e1635 = phi_2277_;
-                                                            let _e1645 = nodes.member[(0u + _e1515)].y;
-                                                            if (_e1287 < 0f) {
-                                                                let _e1656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1645.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1656.unnamed.root, _e1645.w), _e1656.unnamed_1);
-                                                                let _e1668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1662.unnamed, lt_bvh_traverse_Tree(_e1645.x, _e1662.unnamed_1.first_primitive));
-                                                                phi_2304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1668.unnamed, lt_bvh_traverse_Tree(_e1668.unnamed_1.root, _e1645.y));
+                                                            let _e1640 = phi_2196_;
+                                                            let _e1650 = nodes.member[(0u + _e1520)].y;
+                                                            if (_e1292 < 0f) {
+                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.unnamed.root, _e1650.w), _e1661.unnamed_1);
+                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1667.unnamed, lt_bvh_traverse_Tree(_e1650.x, _e1667.unnamed_1.first_primitive));
+                                                                phi_2223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1673.unnamed_1.root, _e1650.y));
                                                             } else {
-                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1645.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1684.unnamed.root, _e1645.y), _e1684.unnamed_1);
-                                                                let _e1696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1690.unnamed, lt_bvh_traverse_Tree(_e1645.z, _e1690.unnamed_1.first_primitive));
-                                                                phi_2304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1696.unnamed, lt_bvh_traverse_Tree(_e1696.unnamed_1.root, _e1645.w));
+                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1689.unnamed.root, _e1650.y), _e1689.unnamed_1);
+                                                                let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1695.unnamed, lt_bvh_traverse_Tree(_e1650.z, _e1695.unnamed_1.first_primitive));
+                                                                phi_2223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_bvh_traverse_Tree(_e1701.unnamed_1.root, _e1650.w));
                                                             }
-                                                            let _e1704 = phi_2304_;
-                                                            let _e1714 = nodes.member[(0u + _e1515)].z;
-                                                            if (_e1297 < 0f) {
-                                                                let _e1725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1714.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1725.unnamed.root, _e1714.w), _e1725.unnamed_1);
-                                                                let _e1737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1731.unnamed, lt_bvh_traverse_Tree(_e1714.x, _e1731.unnamed_1.first_primitive));
-                                                                phi_2331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1737.unnamed, lt_bvh_traverse_Tree(_e1737.unnamed_1.root, _e1714.y));
+                                                            let _e1709 = phi_2223_;
+                                                            let _e1719 = nodes.member[(0u + _e1520)].z;
+                                                            if (_e1302 < 0f) {
+                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1730.unnamed.root, _e1719.w), _e1730.unnamed_1);
+                                                                let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1736.unnamed, lt_bvh_traverse_Tree(_e1719.x, _e1736.unnamed_1.first_primitive));
+                                                                phi_2250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_bvh_traverse_Tree(_e1742.unnamed_1.root, _e1719.y));
                                                             } else {
-                                                                let _e1753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1714.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1753.unnamed.root, _e1714.y), _e1753.unnamed_1);
-                                                                let _e1765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1759.unnamed, lt_bvh_traverse_Tree(_e1714.z, _e1759.unnamed_1.first_primitive));
-                                                                phi_2331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1765.unnamed, lt_bvh_traverse_Tree(_e1765.unnamed_1.root, _e1714.w));
+                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1758.unnamed.root, _e1719.y), _e1758.unnamed_1);
+                                                                let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1764.unnamed, lt_bvh_traverse_Tree(_e1719.z, _e1764.unnamed_1.first_primitive));
+                                                                phi_2250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_bvh_traverse_Tree(_e1770.unnamed_1.root, _e1719.w));
                                                             }
-                                                            let _e1773 = phi_2331_;
-                                                            phi_2337_ = 0u;
-                                                            phi_2340_ = 0u;
+                                                            let _e1778 = phi_2250_;
+                                                            phi_2256_ = 0u;
+                                                            phi_2259_ = 0u;
                                                             loop {
-                                                                let _e1783 = phi_2337_;
-                                                                let _e1785 = phi_2340_;
-                                                                local_8 = _e1785;
-                                                                local_9 = _e1785;
-                                                                local_10 = _e1785;
-                                                                let _e1786 = (_e1783 < 8u);
-                                                                if _e1786 {
-                                                                    let _e1788 = (_e1783 >> bitcast<u32>(2i));
-                                                                    let _e1789 = (_e1783 & 3u);
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2354_ = _e1635.unnamed.root;
+                                                                let _e1788 = phi_2256_;
+                                                                let _e1790 = phi_2259_;
+                                                                local_6 = _e1790;
+                                                                local_7 = _e1790;
+                                                                local_8 = _e1790;
+                                                                let _e1791 = (_e1788 < 8u);
+                                                                if _e1791 {
+                                                                    let _e1793 = (_e1788 >> bitcast<u32>(2i));
+                                                                    let _e1794 = (_e1788 & 3u);
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2273_ = _e1640.unnamed.root;
                                                                     } else {
-                                                                        phi_2354_ = _e1635.unnamed.first_primitive;
+                                                                        phi_2273_ = _e1640.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1792 = phi_2354_;
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2364_ = _e1704.unnamed.root;
+                                                                    let _e1797 = phi_2273_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2283_ = _e1709.unnamed.root;
                                                                     } else {
-                                                                        phi_2364_ = _e1704.unnamed.first_primitive;
+                                                                        phi_2283_ = _e1709.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1801 = phi_2364_;
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2374_ = _e1773.unnamed.root;
+                                                                    let _e1806 = phi_2283_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2293_ = _e1778.unnamed.root;
                                                                     } else {
-                                                                        phi_2374_ = _e1773.unnamed.first_primitive;
+                                                                        phi_2293_ = _e1778.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1810 = phi_2374_;
-                                                                    let _e1823 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1792 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 - _e1325)), ((f32(((_e1801 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 - _e1326)));
-                                                                    let _e1824 = core_intrinsics_maximum_number_nsz_f32_(_e1823, ((f32(((_e1810 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 - _e1327)));
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2392_ = _e1635.unnamed_1.root;
+                                                                    let _e1815 = phi_2293_;
+                                                                    let _e1828 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1797 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 - _e1330)), ((f32(((_e1806 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 - _e1331)));
+                                                                    let _e1829 = core_intrinsics_maximum_number_nsz_f32_(_e1828, ((f32(((_e1815 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)));
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2311_ = _e1640.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2392_ = _e1635.unnamed_1.first_primitive;
+                                                                        phi_2311_ = _e1640.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1827 = phi_2392_;
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2402_ = _e1704.unnamed_1.root;
+                                                                    let _e1832 = phi_2311_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2321_ = _e1709.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2402_ = _e1704.unnamed_1.first_primitive;
+                                                                        phi_2321_ = _e1709.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1836 = phi_2402_;
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2412_ = _e1773.unnamed_1.root;
+                                                                    let _e1841 = phi_2321_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2331_ = _e1778.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2412_ = _e1773.unnamed_1.first_primitive;
+                                                                        phi_2331_ = _e1778.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1845 = phi_2412_;
-                                                                    let _e1858 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1827 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 + _e1325)), ((f32(((_e1836 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 + _e1326)));
-                                                                    let _e1859 = core_intrinsics_minimum_number_nsz_f32_(_e1858, ((f32(((_e1845 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 + _e1327)));
-                                                                    if (_e1824 <= _e1859) {
-                                                                        if (_e1824 <= _e1513.t) {
-                                                                            if (_e1859 >= _e153.tmin) {
-                                                                                if (_e1788 == 0u) {
-                                                                                    let _e1866 = nodes.member[(0u + _e1515)].links[2u];
-                                                                                    phi_2448_ = _e1866;
+                                                                    let _e1850 = phi_2331_;
+                                                                    let _e1863 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1832 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 + _e1330)), ((f32(((_e1841 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 + _e1331)));
+                                                                    let _e1864 = core_intrinsics_minimum_number_nsz_f32_(_e1863, ((f32(((_e1850 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1332)));
+                                                                    if (_e1829 <= _e1864) {
+                                                                        if (_e1829 <= _e1518.t) {
+                                                                            if (_e1864 >= _e157.tmin) {
+                                                                                if (_e1793 == 0u) {
+                                                                                    let _e1871 = nodes.member[(0u + _e1520)].links[2u];
+                                                                                    phi_2367_ = _e1871;
                                                                                 } else {
-                                                                                    let _e1869 = nodes.member[(0u + _e1515)].links[3u];
-                                                                                    phi_2448_ = _e1869;
+                                                                                    let _e1874 = nodes.member[(0u + _e1520)].links[3u];
+                                                                                    phi_2367_ = _e1874;
                                                                                 }
-                                                                                let _e1871 = phi_2448_;
-                                                                                let _e1876 = ((_e1871 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u);
-                                                                                let _e1877 = (_e1876 & 31u);
-                                                                                if (_e1877 >= 24u) {
-                                                                                    phi_2461_ = (24u + ((_e1877 - 24u) ^ _e1375));
+                                                                                let _e1876 = phi_2367_;
+                                                                                let _e1881 = ((_e1876 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u);
+                                                                                let _e1882 = (_e1881 & 31u);
+                                                                                if (_e1882 >= 24u) {
+                                                                                    phi_2380_ = (24u + ((_e1882 - 24u) ^ _e1380));
                                                                                 } else {
-                                                                                    phi_2461_ = _e1877;
+                                                                                    phi_2380_ = _e1882;
                                                                                 }
-                                                                                let _e1883 = phi_2461_;
-                                                                                phi_2466_ = (_e1785 | ((_e1876 >> bitcast<u32>(5i)) << bitcast<u32>((_e1883 & 31u))));
+                                                                                let _e1888 = phi_2380_;
+                                                                                phi_2385_ = (_e1790 | ((_e1881 >> bitcast<u32>(5i)) << bitcast<u32>((_e1888 & 31u))));
                                                                             } else {
-                                                                                phi_2466_ = _e1785;
+                                                                                phi_2385_ = _e1790;
                                                                             }
-                                                                            let _e1891 = phi_2466_;
-                                                                            phi_2467_ = _e1891;
+                                                                            let _e1896 = phi_2385_;
+                                                                            phi_2386_ = _e1896;
                                                                         } else {
-                                                                            phi_2467_ = _e1785;
+                                                                            phi_2386_ = _e1790;
                                                                         }
-                                                                        let _e1893 = phi_2467_;
-                                                                        phi_2468_ = _e1893;
+                                                                        let _e1898 = phi_2386_;
+                                                                        phi_2387_ = _e1898;
                                                                     } else {
-                                                                        phi_2468_ = _e1785;
+                                                                        phi_2387_ = _e1790;
                                                                     }
-                                                                    let _e1895 = phi_2468_;
-                                                                    phi_2338_ = (_e1783 + 1u);
-                                                                    phi_2341_ = _e1895;
+                                                                    let _e1900 = phi_2387_;
+                                                                    phi_2257_ = (_e1788 + 1u);
+                                                                    phi_2260_ = _e1900;
                                                                 } else {
-                                                                    phi_2338_ = u32();
-                                                                    phi_2341_ = u32();
+                                                                    phi_2257_ = u32();
+                                                                    phi_2260_ = u32();
                                                                 }
-                                                                let _e1898 = phi_2338_;
-                                                                let _e1900 = phi_2341_;
+                                                                let _e1903 = phi_2257_;
+                                                                let _e1905 = phi_2260_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2337_ = _e1898;
-                                                                    phi_2340_ = _e1900;
-                                                                    break if !(_e1786);
+                                                                    phi_2256_ = _e1903;
+                                                                    phi_2259_ = _e1905;
+                                                                    break if !(_e1791);
                                                                 }
                                                             }
-                                                            let _e1904 = nodes.member[(0u + _e1515)].links[0u];
-                                                            let _e1908 = nodes.member[(0u + _e1515)].frame[3u];
-                                                            let _e1912 = local_8;
-                                                            if ((_e1912 & 4278190080u) == 0u) {
+                                                            let _e1909 = nodes.member[(0u + _e1520)].links[0u];
+                                                            let _e1913 = nodes.member[(0u + _e1520)].frame[3u];
+                                                            let _e1917 = local_6;
+                                                            if ((_e1917 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1916 = local_3.group_mask;
-                                                                if ((_e1916 & 4278190080u) == 0u) {
+                                                                let _e1921 = local_1.group_mask;
+                                                                if ((_e1921 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1920 = local_3.len;
-                                                                    if (_e1920 < 32u) {
-                                                                        let _e1923 = local_3.group;
-                                                                        let _e1925 = local_3.len;
-                                                                        if (_e1925 < 32u) {
+                                                                    let _e1925 = local_1.len;
+                                                                    if (_e1925 < 32u) {
+                                                                        let _e1928 = local_1.group;
+                                                                        let _e1930 = local_1.len;
+                                                                        if (_e1930 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_3.first[(0u + _e1925)] = _e1923;
-                                                                        let _e1931 = local_3.group_mask;
-                                                                        let _e1933 = local_3.len;
-                                                                        if (_e1933 < 32u) {
+                                                                        local_1.first[(0u + _e1930)] = _e1928;
+                                                                        let _e1936 = local_1.group_mask;
+                                                                        let _e1938 = local_1.len;
+                                                                        if (_e1938 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_3.mask[(0u + _e1933)] = _e1931;
-                                                                        let _e1940 = local_3.len;
-                                                                        local_3.len = (_e1940 + 1u);
+                                                                        local_1.mask[(0u + _e1938)] = _e1936;
+                                                                        let _e1945 = local_1.len;
+                                                                        local_1.len = (_e1945 + 1u);
                                                                     }
                                                                 }
-                                                                local_3.group = (_e1137 + _e1904);
-                                                                let _e1944 = local_9;
-                                                                local_3.group_mask = ((_e1944 & 4278190080u) | (_e1908 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1142 + _e1909);
+                                                                let _e1949 = local_7;
+                                                                local_1.group_mask = ((_e1949 & 4278190080u) | (_e1913 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1949 = local_10;
-                                                            phi_2526_ = _e1513;
-                                                            phi_2529_ = (_e1949 & 16777215u);
+                                                            let _e1954 = local_8;
+                                                            phi_2445_ = _e1518;
+                                                            phi_2448_ = (_e1954 & 16777215u);
                                                             loop {
-                                                                let _e1952 = phi_2526_;
-                                                                let _e1954 = phi_2529_;
-                                                                local_11 = _e1952;
-                                                                if (_e1954 == 0u) {
-                                                                    phi_2527_ = lt_bvh_Hit();
-                                                                    phi_2530_ = u32();
-                                                                    phi_3053_ = false;
+                                                                let _e1957 = phi_2445_;
+                                                                let _e1959 = phi_2448_;
+                                                                local_9 = _e1957;
+                                                                if (_e1959 == 0u) {
+                                                                    phi_2446_ = lt_bvh_Hit();
+                                                                    phi_2449_ = u32();
+                                                                    phi_2993_ = false;
                                                                 } else {
-                                                                    let _e1958 = nodes.member[(0u + _e1515)].links[1u];
-                                                                    let _e1963 = ((_e1139 + _e1958) + select(firstTrailingBit(_e1954), 32u, (_e1954 == 0u)));
-                                                                    if (_e1963 < _e75) {
+                                                                    let _e1963 = nodes.member[(0u + _e1520)].links[1u];
+                                                                    let _e1968 = ((_e1144 + _e1963) + select(firstTrailingBit(_e1959), 32u, (_e1959 == 0u)));
+                                                                    if (_e1968 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1970 = triangles.member[(0u + _e1963)].v0_;
-                                                                    let _e1972 = (_e1970.x - _e1063);
-                                                                    let _e1974 = (_e1970.y - _e1076);
-                                                                    let _e1976 = (_e1970.z - _e1089);
-                                                                    if (_e1348 == 0u) {
-                                                                        phi_2574_ = vec3<f32>(_e1974, _e1976, _e1972);
+                                                                    let _e1975 = triangles.member[(0u + _e1968)].v0_;
+                                                                    let _e1977 = (_e1975.x - _e1067);
+                                                                    let _e1979 = (_e1975.y - _e1080);
+                                                                    let _e1981 = (_e1975.z - _e1093);
+                                                                    if (_e1353 == 0u) {
+                                                                        phi_2493_ = vec3<f32>(_e1979, _e1981, _e1977);
                                                                     } else {
-                                                                        if (_e1348 == 1u) {
-                                                                            phi_2573_ = vec3<f32>(_e1976, _e1972, _e1974);
+                                                                        if (_e1353 == 1u) {
+                                                                            phi_2492_ = vec3<f32>(_e1981, _e1977, _e1979);
                                                                         } else {
-                                                                            phi_2573_ = (_e1970 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                            phi_2492_ = (_e1975 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e1984 = phi_2573_;
-                                                                        phi_2574_ = _e1984;
+                                                                        let _e1989 = phi_2492_;
+                                                                        phi_2493_ = _e1989;
                                                                     }
-                                                                    let _e1986 = phi_2574_;
-                                                                    let _e1990 = (_e1986.x - (_e1359 * _e1986.z));
-                                                                    let _e1994 = (_e1986.y - (_e1362 * _e1986.z));
-                                                                    let _e1998 = triangles.member[(0u + _e1963)].v1_;
-                                                                    let _e2000 = (_e1998.x - _e1063);
-                                                                    let _e2002 = (_e1998.y - _e1076);
-                                                                    let _e2004 = (_e1998.z - _e1089);
-                                                                    if (_e1348 == 0u) {
-                                                                        phi_2606_ = vec3<f32>(_e2002, _e2004, _e2000);
+                                                                    let _e1991 = phi_2493_;
+                                                                    let _e1995 = (_e1991.x - (_e1364 * _e1991.z));
+                                                                    let _e1999 = (_e1991.y - (_e1367 * _e1991.z));
+                                                                    let _e2003 = triangles.member[(0u + _e1968)].v1_;
+                                                                    let _e2005 = (_e2003.x - _e1067);
+                                                                    let _e2007 = (_e2003.y - _e1080);
+                                                                    let _e2009 = (_e2003.z - _e1093);
+                                                                    if (_e1353 == 0u) {
+                                                                        phi_2525_ = vec3<f32>(_e2007, _e2009, _e2005);
                                                                     } else {
-                                                                        if (_e1348 == 1u) {
-                                                                            phi_2605_ = vec3<f32>(_e2004, _e2000, _e2002);
+                                                                        if (_e1353 == 1u) {
+                                                                            phi_2524_ = vec3<f32>(_e2009, _e2005, _e2007);
                                                                         } else {
-                                                                            phi_2605_ = (_e1998 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                            phi_2524_ = (_e2003 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e2012 = phi_2605_;
-                                                                        phi_2606_ = _e2012;
+                                                                        let _e2017 = phi_2524_;
+                                                                        phi_2525_ = _e2017;
                                                                     }
-                                                                    let _e2014 = phi_2606_;
-                                                                    let _e2018 = (_e2014.x - (_e1359 * _e2014.z));
-                                                                    let _e2022 = (_e2014.y - (_e1362 * _e2014.z));
-                                                                    let _e2026 = triangles.member[(0u + _e1963)].v2_;
-                                                                    let _e2028 = (_e2026.x - _e1063);
-                                                                    let _e2030 = (_e2026.y - _e1076);
-                                                                    let _e2032 = (_e2026.z - _e1089);
-                                                                    if (_e1348 == 0u) {
-                                                                        phi_2638_ = vec3<f32>(_e2030, _e2032, _e2028);
+                                                                    let _e2019 = phi_2525_;
+                                                                    let _e2023 = (_e2019.x - (_e1364 * _e2019.z));
+                                                                    let _e2027 = (_e2019.y - (_e1367 * _e2019.z));
+                                                                    let _e2031 = triangles.member[(0u + _e1968)].v2_;
+                                                                    let _e2033 = (_e2031.x - _e1067);
+                                                                    let _e2035 = (_e2031.y - _e1080);
+                                                                    let _e2037 = (_e2031.z - _e1093);
+                                                                    if (_e1353 == 0u) {
+                                                                        phi_2557_ = vec3<f32>(_e2035, _e2037, _e2033);
                                                                     } else {
-                                                                        if (_e1348 == 1u) {
-                                                                            phi_2637_ = vec3<f32>(_e2032, _e2028, _e2030);
+                                                                        if (_e1353 == 1u) {
+                                                                            phi_2556_ = vec3<f32>(_e2037, _e2033, _e2035);
                                                                         } else {
-                                                                            phi_2637_ = (_e2026 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                            phi_2556_ = (_e2031 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e2040 = phi_2637_;
-                                                                        phi_2638_ = _e2040;
+                                                                        let _e2045 = phi_2556_;
+                                                                        phi_2557_ = _e2045;
                                                                     }
-                                                                    let _e2042 = phi_2638_;
-                                                                    let _e2046 = (_e2042.x - (_e1359 * _e2042.z));
-                                                                    let _e2050 = (_e2042.y - (_e1362 * _e2042.z));
-                                                                    if (_e2018 < _e2046) {
-                                                                        phi_2659_ = true;
+                                                                    let _e2047 = phi_2557_;
+                                                                    let _e2051 = (_e2047.x - (_e1364 * _e2047.z));
+                                                                    let _e2055 = (_e2047.y - (_e1367 * _e2047.z));
+                                                                    if (_e2023 < _e2051) {
+                                                                        phi_2578_ = true;
                                                                     } else {
-                                                                        if (_e2018 == _e2046) {
-                                                                            phi_2658_ = (_e2022 < _e2050);
+                                                                        if (_e2023 == _e2051) {
+                                                                            phi_2577_ = (_e2027 < _e2055);
                                                                         } else {
-                                                                            phi_2658_ = false;
+                                                                            phi_2577_ = false;
                                                                         }
-                                                                        let _e2057 = phi_2658_;
-                                                                        phi_2659_ = _e2057;
+                                                                        let _e2062 = phi_2577_;
+                                                                        phi_2578_ = _e2062;
                                                                     }
-                                                                    let _e2059 = phi_2659_;
-                                                                    if _e2059 {
-                                                                        phi_2663_ = _e2050;
-                                                                        phi_2664_ = _e2046;
-                                                                        phi_2665_ = _e2022;
-                                                                        phi_2666_ = _e2018;
+                                                                    let _e2064 = phi_2578_;
+                                                                    if _e2064 {
+                                                                        phi_2582_ = _e2055;
+                                                                        phi_2583_ = _e2051;
+                                                                        phi_2584_ = _e2027;
+                                                                        phi_2585_ = _e2023;
                                                                     } else {
-                                                                        phi_2663_ = _e2022;
-                                                                        phi_2664_ = _e2018;
-                                                                        phi_2665_ = _e2050;
-                                                                        phi_2666_ = _e2046;
+                                                                        phi_2582_ = _e2027;
+                                                                        phi_2583_ = _e2023;
+                                                                        phi_2584_ = _e2055;
+                                                                        phi_2585_ = _e2051;
                                                                     }
-                                                                    let _e2061 = phi_2663_;
-                                                                    let _e2063 = phi_2664_;
-                                                                    let _e2065 = phi_2665_;
-                                                                    let _e2067 = phi_2666_;
-                                                                    let _e2070 = ((_e2067 * _e2061) - (_e2065 * _e2063));
-                                                                    if _e2059 {
-                                                                        phi_2674_ = -(_e2070);
+                                                                    let _e2066 = phi_2582_;
+                                                                    let _e2068 = phi_2583_;
+                                                                    let _e2070 = phi_2584_;
+                                                                    let _e2072 = phi_2585_;
+                                                                    let _e2075 = ((_e2072 * _e2066) - (_e2070 * _e2068));
+                                                                    if _e2064 {
+                                                                        phi_2593_ = -(_e2075);
                                                                     } else {
-                                                                        phi_2674_ = _e2070;
+                                                                        phi_2593_ = _e2075;
                                                                     }
-                                                                    let _e2073 = phi_2674_;
-                                                                    if (_e2046 < _e1990) {
-                                                                        phi_2685_ = true;
+                                                                    let _e2078 = phi_2593_;
+                                                                    if (_e2051 < _e1995) {
+                                                                        phi_2604_ = true;
                                                                     } else {
-                                                                        if (_e2046 == _e1990) {
-                                                                            phi_2684_ = (_e2050 < _e1994);
+                                                                        if (_e2051 == _e1995) {
+                                                                            phi_2603_ = (_e2055 < _e1999);
                                                                         } else {
-                                                                            phi_2684_ = false;
+                                                                            phi_2603_ = false;
                                                                         }
-                                                                        let _e2078 = phi_2684_;
-                                                                        phi_2685_ = _e2078;
+                                                                        let _e2083 = phi_2603_;
+                                                                        phi_2604_ = _e2083;
                                                                     }
-                                                                    let _e2080 = phi_2685_;
-                                                                    if _e2080 {
-                                                                        phi_2689_ = _e1994;
-                                                                        phi_2690_ = _e1990;
-                                                                        phi_2691_ = _e2050;
-                                                                        phi_2692_ = _e2046;
+                                                                    let _e2085 = phi_2604_;
+                                                                    if _e2085 {
+                                                                        phi_2608_ = _e1999;
+                                                                        phi_2609_ = _e1995;
+                                                                        phi_2610_ = _e2055;
+                                                                        phi_2611_ = _e2051;
                                                                     } else {
-                                                                        phi_2689_ = _e2050;
-                                                                        phi_2690_ = _e2046;
-                                                                        phi_2691_ = _e1994;
-                                                                        phi_2692_ = _e1990;
+                                                                        phi_2608_ = _e2055;
+                                                                        phi_2609_ = _e2051;
+                                                                        phi_2610_ = _e1999;
+                                                                        phi_2611_ = _e1995;
                                                                     }
-                                                                    let _e2082 = phi_2689_;
-                                                                    let _e2084 = phi_2690_;
-                                                                    let _e2086 = phi_2691_;
-                                                                    let _e2088 = phi_2692_;
-                                                                    let _e2091 = ((_e2088 * _e2082) - (_e2086 * _e2084));
-                                                                    if _e2080 {
-                                                                        phi_2700_ = -(_e2091);
+                                                                    let _e2087 = phi_2608_;
+                                                                    let _e2089 = phi_2609_;
+                                                                    let _e2091 = phi_2610_;
+                                                                    let _e2093 = phi_2611_;
+                                                                    let _e2096 = ((_e2093 * _e2087) - (_e2091 * _e2089));
+                                                                    if _e2085 {
+                                                                        phi_2619_ = -(_e2096);
                                                                     } else {
-                                                                        phi_2700_ = _e2091;
+                                                                        phi_2619_ = _e2096;
                                                                     }
-                                                                    let _e2094 = phi_2700_;
-                                                                    if (_e1990 < _e2018) {
-                                                                        phi_2711_ = true;
+                                                                    let _e2099 = phi_2619_;
+                                                                    if (_e1995 < _e2023) {
+                                                                        phi_2630_ = true;
                                                                     } else {
-                                                                        if (_e1990 == _e2018) {
-                                                                            phi_2710_ = (_e1994 < _e2022);
+                                                                        if (_e1995 == _e2023) {
+                                                                            phi_2629_ = (_e1999 < _e2027);
                                                                         } else {
-                                                                            phi_2710_ = false;
+                                                                            phi_2629_ = false;
                                                                         }
-                                                                        let _e2099 = phi_2710_;
-                                                                        phi_2711_ = _e2099;
+                                                                        let _e2104 = phi_2629_;
+                                                                        phi_2630_ = _e2104;
                                                                     }
-                                                                    let _e2101 = phi_2711_;
-                                                                    if _e2101 {
-                                                                        phi_2715_ = _e2022;
-                                                                        phi_2716_ = _e2018;
-                                                                        phi_2717_ = _e1994;
-                                                                        phi_2718_ = _e1990;
+                                                                    let _e2106 = phi_2630_;
+                                                                    if _e2106 {
+                                                                        phi_2634_ = _e2027;
+                                                                        phi_2635_ = _e2023;
+                                                                        phi_2636_ = _e1999;
+                                                                        phi_2637_ = _e1995;
                                                                     } else {
-                                                                        phi_2715_ = _e1994;
-                                                                        phi_2716_ = _e1990;
-                                                                        phi_2717_ = _e2022;
-                                                                        phi_2718_ = _e2018;
+                                                                        phi_2634_ = _e1999;
+                                                                        phi_2635_ = _e1995;
+                                                                        phi_2636_ = _e2027;
+                                                                        phi_2637_ = _e2023;
                                                                     }
-                                                                    let _e2103 = phi_2715_;
-                                                                    let _e2105 = phi_2716_;
-                                                                    let _e2107 = phi_2717_;
-                                                                    let _e2109 = phi_2718_;
-                                                                    let _e2112 = ((_e2109 * _e2103) - (_e2107 * _e2105));
-                                                                    if _e2101 {
-                                                                        phi_2726_ = -(_e2112);
+                                                                    let _e2108 = phi_2634_;
+                                                                    let _e2110 = phi_2635_;
+                                                                    let _e2112 = phi_2636_;
+                                                                    let _e2114 = phi_2637_;
+                                                                    let _e2117 = ((_e2114 * _e2108) - (_e2112 * _e2110));
+                                                                    if _e2106 {
+                                                                        phi_2645_ = -(_e2117);
                                                                     } else {
-                                                                        phi_2726_ = _e2112;
+                                                                        phi_2645_ = _e2117;
                                                                     }
-                                                                    let _e2115 = phi_2726_;
-                                                                    if (_e2073 >= 0f) {
-                                                                        if (_e2094 >= 0f) {
-                                                                            if (_e2115 >= 0f) {
-                                                                                phi_2741_ = ((_e2073 + _e2094) + _e2115);
-                                                                                phi_2742_ = false;
+                                                                    let _e2120 = phi_2645_;
+                                                                    if (_e2078 >= 0f) {
+                                                                        if (_e2099 >= 0f) {
+                                                                            if (_e2120 >= 0f) {
+                                                                                phi_2660_ = ((_e2078 + _e2099) + _e2120);
+                                                                                phi_2661_ = false;
                                                                             } else {
-                                                                                phi_2741_ = f32();
-                                                                                phi_2742_ = true;
+                                                                                phi_2660_ = f32();
+                                                                                phi_2661_ = true;
                                                                             }
-                                                                            let _e2122 = phi_2741_;
-                                                                            let _e2124 = phi_2742_;
-                                                                            phi_2743_ = _e2122;
-                                                                            phi_2744_ = _e2124;
+                                                                            let _e2127 = phi_2660_;
+                                                                            let _e2129 = phi_2661_;
+                                                                            phi_2662_ = _e2127;
+                                                                            phi_2663_ = _e2129;
                                                                         } else {
-                                                                            phi_2743_ = f32();
-                                                                            phi_2744_ = true;
+                                                                            phi_2662_ = f32();
+                                                                            phi_2663_ = true;
                                                                         }
-                                                                        let _e2126 = phi_2743_;
-                                                                        let _e2128 = phi_2744_;
-                                                                        phi_2745_ = _e2126;
-                                                                        phi_2746_ = _e2128;
+                                                                        let _e2131 = phi_2662_;
+                                                                        let _e2133 = phi_2663_;
+                                                                        phi_2664_ = _e2131;
+                                                                        phi_2665_ = _e2133;
                                                                     } else {
-                                                                        phi_2745_ = f32();
-                                                                        phi_2746_ = true;
+                                                                        phi_2664_ = f32();
+                                                                        phi_2665_ = true;
                                                                     }
-                                                                    let _e2130 = phi_2745_;
-                                                                    let _e2132 = phi_2746_;
-                                                                    if _e2132 {
-                                                                        if (_e2073 <= 0f) {
-                                                                            if (_e2094 <= 0f) {
-                                                                                let _e2135 = (_e2115 <= 0f);
-                                                                                if _e2135 {
+                                                                    let _e2135 = phi_2664_;
+                                                                    let _e2137 = phi_2665_;
+                                                                    if _e2137 {
+                                                                        if (_e2078 <= 0f) {
+                                                                            if (_e2099 <= 0f) {
+                                                                                let _e2140 = (_e2120 <= 0f);
+                                                                                if _e2140 {
                                                                                 }
-                                                                                phi_2764_ = ((_e2073 + _e2094) + _e2115);
-                                                                                phi_2765_ = false;
-                                                                                phi_2766_ = _e2135;
+                                                                                phi_2683_ = ((_e2078 + _e2099) + _e2120);
+                                                                                phi_2684_ = false;
+                                                                                phi_2685_ = _e2140;
                                                                             } else {
-                                                                                phi_2764_ = f32();
-                                                                                phi_2765_ = true;
-                                                                                phi_2766_ = false;
+                                                                                phi_2683_ = f32();
+                                                                                phi_2684_ = true;
+                                                                                phi_2685_ = false;
                                                                             }
-                                                                            let _e2139 = phi_2764_;
-                                                                            let _e2141 = phi_2765_;
-                                                                            let _e2143 = phi_2766_;
-                                                                            phi_2767_ = _e2139;
-                                                                            phi_2768_ = _e2141;
-                                                                            phi_2769_ = _e2143;
+                                                                            let _e2144 = phi_2683_;
+                                                                            let _e2146 = phi_2684_;
+                                                                            let _e2148 = phi_2685_;
+                                                                            phi_2686_ = _e2144;
+                                                                            phi_2687_ = _e2146;
+                                                                            phi_2688_ = _e2148;
                                                                         } else {
-                                                                            phi_2767_ = f32();
-                                                                            phi_2768_ = true;
-                                                                            phi_2769_ = false;
+                                                                            phi_2686_ = f32();
+                                                                            phi_2687_ = true;
+                                                                            phi_2688_ = false;
                                                                         }
-                                                                        let _e2145 = phi_2767_;
-                                                                        let _e2147 = phi_2768_;
-                                                                        let _e2149 = phi_2769_;
-                                                                        if _e2147 {
-                                                                            phi_2773_ = false;
+                                                                        let _e2150 = phi_2686_;
+                                                                        let _e2152 = phi_2687_;
+                                                                        let _e2154 = phi_2688_;
+                                                                        if _e2152 {
+                                                                            phi_2692_ = false;
                                                                         } else {
-                                                                            phi_2773_ = _e2149;
+                                                                            phi_2692_ = _e2154;
                                                                         }
-                                                                        let _e2151 = phi_2773_;
-                                                                        phi_2774_ = _e2145;
-                                                                        phi_2775_ = _e2151;
+                                                                        let _e2156 = phi_2692_;
+                                                                        phi_2693_ = _e2150;
+                                                                        phi_2694_ = _e2156;
                                                                     } else {
-                                                                        phi_2774_ = _e2130;
-                                                                        phi_2775_ = true;
+                                                                        phi_2693_ = _e2135;
+                                                                        phi_2694_ = true;
                                                                     }
-                                                                    let _e2153 = phi_2774_;
-                                                                    let _e2155 = phi_2775_;
-                                                                    if _e2155 {
-                                                                        let _e2156 = (_e2153 == 0f);
-                                                                        if _e2156 {
-                                                                            phi_2973_ = lt_bvh_triangle_Intersection();
+                                                                    let _e2158 = phi_2693_;
+                                                                    let _e2160 = phi_2694_;
+                                                                    if _e2160 {
+                                                                        let _e2161 = (_e2158 == 0f);
+                                                                        if _e2161 {
+                                                                            phi_2907_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2908_ = false;
                                                                         } else {
-                                                                            let _e2162 = ((((_e2073 * (_e1364 * _e1986.z)) + (_e2094 * (_e1364 * _e2014.z))) + (_e2115 * (_e1364 * _e2042.z))) / _e2153);
-                                                                            let _e2164 = triangles.member[(0u + _e1963)].v0_;
-                                                                            let _e2166 = triangles.member[(0u + _e1963)].v1_;
-                                                                            if (_e2164.x < _e2166.x) {
-                                                                                phi_2801_ = _e2164.x;
-                                                                            } else {
-                                                                                phi_2801_ = _e2166.x;
-                                                                            }
-                                                                            let _e2173 = phi_2801_;
-                                                                            if (_e2164.y < _e2166.y) {
-                                                                                phi_2810_ = _e2164.y;
-                                                                            } else {
-                                                                                phi_2810_ = _e2166.y;
-                                                                            }
-                                                                            let _e2180 = phi_2810_;
-                                                                            if (_e2164.z < _e2166.z) {
-                                                                                phi_2819_ = _e2164.z;
-                                                                            } else {
-                                                                                phi_2819_ = _e2166.z;
-                                                                            }
-                                                                            let _e2187 = phi_2819_;
-                                                                            let _e2189 = triangles.member[(0u + _e1963)].v2_;
-                                                                            if (_e2173 < _e2189.x) {
-                                                                                phi_2828_ = _e2173;
-                                                                            } else {
-                                                                                phi_2828_ = _e2189.x;
-                                                                            }
-                                                                            let _e2194 = phi_2828_;
-                                                                            if (_e2180 < _e2189.y) {
-                                                                                phi_2835_ = _e2180;
-                                                                            } else {
-                                                                                phi_2835_ = _e2189.y;
-                                                                            }
-                                                                            let _e2199 = phi_2835_;
-                                                                            if (_e2187 < _e2189.z) {
-                                                                                phi_2842_ = _e2187;
-                                                                            } else {
-                                                                                phi_2842_ = _e2189.z;
-                                                                            }
-                                                                            let _e2204 = phi_2842_;
-                                                                            let _e2206 = triangles.member[(0u + _e1963)].v0_;
-                                                                            let _e2208 = triangles.member[(0u + _e1963)].v1_;
-                                                                            if (_e2206.x > _e2208.x) {
-                                                                                phi_2855_ = _e2206.x;
-                                                                            } else {
-                                                                                phi_2855_ = _e2208.x;
-                                                                            }
-                                                                            let _e2215 = phi_2855_;
-                                                                            if (_e2206.y > _e2208.y) {
-                                                                                phi_2864_ = _e2206.y;
-                                                                            } else {
-                                                                                phi_2864_ = _e2208.y;
-                                                                            }
-                                                                            let _e2222 = phi_2864_;
-                                                                            if (_e2206.z > _e2208.z) {
-                                                                                phi_2873_ = _e2206.z;
-                                                                            } else {
-                                                                                phi_2873_ = _e2208.z;
-                                                                            }
-                                                                            let _e2229 = phi_2873_;
-                                                                            let _e2231 = triangles.member[(0u + _e1963)].v2_;
-                                                                            if (_e2215 > _e2231.x) {
-                                                                                phi_2882_ = _e2215;
-                                                                            } else {
-                                                                                phi_2882_ = _e2231.x;
-                                                                            }
-                                                                            let _e2236 = phi_2882_;
-                                                                            if (_e2222 > _e2231.y) {
-                                                                                phi_2889_ = _e2222;
-                                                                            } else {
-                                                                                phi_2889_ = _e2231.y;
-                                                                            }
-                                                                            let _e2241 = phi_2889_;
-                                                                            if (_e2229 > _e2231.z) {
-                                                                                phi_2896_ = _e2229;
-                                                                            } else {
-                                                                                phi_2896_ = _e2231.z;
-                                                                            }
-                                                                            let _e2246 = phi_2896_;
-                                                                            let _e2250 = ((_e2194 - _e1063) * _e1277);
-                                                                            let _e2251 = ((_e2199 - _e1076) * _e1287);
-                                                                            let _e2252 = ((_e2204 - _e1089) * _e1297);
-                                                                            let _e2256 = ((_e2236 - _e1063) * _e1277);
-                                                                            let _e2257 = ((_e2241 - _e1076) * _e1287);
-                                                                            let _e2258 = ((_e2246 - _e1089) * _e1297);
-                                                                            if (_e2250 < _e2256) {
-                                                                                phi_2913_ = _e2250;
-                                                                            } else {
-                                                                                phi_2913_ = _e2256;
-                                                                            }
-                                                                            let _e2261 = phi_2913_;
-                                                                            if (_e2251 < _e2257) {
-                                                                                phi_2918_ = _e2251;
-                                                                            } else {
-                                                                                phi_2918_ = _e2257;
-                                                                            }
-                                                                            let _e2264 = phi_2918_;
-                                                                            if (_e2252 < _e2258) {
-                                                                                phi_2923_ = _e2252;
-                                                                            } else {
-                                                                                phi_2923_ = _e2258;
-                                                                            }
-                                                                            let _e2267 = phi_2923_;
-                                                                            if (_e2250 > _e2256) {
-                                                                                phi_2931_ = _e2250;
-                                                                            } else {
-                                                                                phi_2931_ = _e2256;
-                                                                            }
-                                                                            let _e2273 = phi_2931_;
-                                                                            if (_e2251 > _e2257) {
-                                                                                phi_2936_ = _e2251;
-                                                                            } else {
-                                                                                phi_2936_ = _e2257;
-                                                                            }
-                                                                            let _e2276 = phi_2936_;
-                                                                            if (_e2252 > _e2258) {
-                                                                                phi_2941_ = _e2252;
-                                                                            } else {
-                                                                                phi_2941_ = _e2258;
-                                                                            }
-                                                                            let _e2279 = phi_2941_;
-                                                                            let _e2283 = core_intrinsics_maximum_number_nsz_f32_((_e2261 - _e1332), (_e2264 - _e1333));
-                                                                            let _e2284 = core_intrinsics_maximum_number_nsz_f32_(_e2283, (_e2267 - _e1334));
-                                                                            let _e2285 = core_intrinsics_minimum_number_nsz_f32_((_e2273 + _e1332), (_e2276 + _e1333));
-                                                                            let _e2286 = core_intrinsics_minimum_number_nsz_f32_(_e2285, (_e2279 + _e1334));
-                                                                            if (_e2284 > _e1038) {
-                                                                                phi_2953_ = _e2284;
-                                                                            } else {
-                                                                                phi_2953_ = _e1038;
-                                                                            }
-                                                                            let _e2289 = phi_2953_;
-                                                                            if (_e2286 < _e1040) {
-                                                                                phi_2958_ = _e2286;
-                                                                            } else {
-                                                                                phi_2958_ = _e1040;
-                                                                            }
-                                                                            let _e2292 = phi_2958_;
-                                                                            if (_e2162 < _e2289) {
-                                                                                phi_2963_ = _e2289;
-                                                                            } else {
-                                                                                phi_2963_ = _e2162;
-                                                                            }
-                                                                            let _e2295 = phi_2963_;
-                                                                            if (_e2295 > _e2292) {
-                                                                                phi_2968_ = _e2292;
-                                                                            } else {
-                                                                                phi_2968_ = _e2295;
-                                                                            }
-                                                                            let _e2298 = phi_2968_;
-                                                                            phi_2973_ = lt_bvh_triangle_Intersection(_e2298, (_e2094 / _e2153), (_e2115 / _e2153), (_e2289 <= _e2292));
-                                                                        }
-                                                                        let _e2304 = phi_2973_;
-                                                                        phi_2974_ = _e2304;
-                                                                        phi_2975_ = _e2156;
-                                                                    } else {
-                                                                        phi_2974_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2975_ = true;
-                                                                    }
-                                                                    let _e2306 = phi_2974_;
-                                                                    let _e2308 = phi_2975_;
-                                                                    if _e2308 {
-                                                                        phi_2979_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                                                    } else {
-                                                                        phi_2979_ = _e2306;
-                                                                    }
-                                                                    let _e2310 = phi_2979_;
-                                                                    if _e2310.is_hit {
-                                                                        if (_e2310.t > _e153.tmin) {
-                                                                            if (_e2310.t < _e1952.t) {
-                                                                                phi_3027_ = true;
-                                                                            } else {
-                                                                                if (_e2310.t == _e1952.t) {
-                                                                                    if (_e1952.triangle != 4294967295u) {
-                                                                                        if (_e1963 < _e1952.triangle) {
-                                                                                            phi_3018_ = true;
-                                                                                        } else {
-                                                                                            if (_e1963 == _e1952.triangle) {
-                                                                                                phi_3017_ = (_e979 < _e1952.instance);
-                                                                                            } else {
-                                                                                                phi_3017_ = false;
-                                                                                            }
-                                                                                            let _e2328 = phi_3017_;
-                                                                                            phi_3018_ = _e2328;
-                                                                                        }
-                                                                                        let _e2330 = phi_3018_;
-                                                                                        phi_3019_ = _e2330;
-                                                                                        phi_3020_ = false;
+                                                                            let _e2167 = ((((_e2078 * (_e1369 * _e1991.z)) + (_e2099 * (_e1369 * _e2019.z))) + (_e2120 * (_e1369 * _e2047.z))) / _e2158);
+                                                                            if (_e2167 > _e157.tmin) {
+                                                                                if (_e2167 < _e157.tmax) {
+                                                                                    let _e2171 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2173 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2171.x < _e2173.x) {
+                                                                                        phi_2728_ = _e2171.x;
                                                                                     } else {
-                                                                                        phi_3019_ = bool();
-                                                                                        phi_3020_ = true;
+                                                                                        phi_2728_ = _e2173.x;
                                                                                     }
-                                                                                    let _e2332 = phi_3019_;
-                                                                                    let _e2334 = phi_3020_;
-                                                                                    phi_3021_ = _e2332;
-                                                                                    phi_3022_ = _e2334;
+                                                                                    let _e2180 = phi_2728_;
+                                                                                    if (_e2171.y < _e2173.y) {
+                                                                                        phi_2737_ = _e2171.y;
+                                                                                    } else {
+                                                                                        phi_2737_ = _e2173.y;
+                                                                                    }
+                                                                                    let _e2187 = phi_2737_;
+                                                                                    if (_e2171.z < _e2173.z) {
+                                                                                        phi_2746_ = _e2171.z;
+                                                                                    } else {
+                                                                                        phi_2746_ = _e2173.z;
+                                                                                    }
+                                                                                    let _e2194 = phi_2746_;
+                                                                                    let _e2196 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2180 < _e2196.x) {
+                                                                                        phi_2755_ = _e2180;
+                                                                                    } else {
+                                                                                        phi_2755_ = _e2196.x;
+                                                                                    }
+                                                                                    let _e2201 = phi_2755_;
+                                                                                    if (_e2187 < _e2196.y) {
+                                                                                        phi_2762_ = _e2187;
+                                                                                    } else {
+                                                                                        phi_2762_ = _e2196.y;
+                                                                                    }
+                                                                                    let _e2206 = phi_2762_;
+                                                                                    if (_e2194 < _e2196.z) {
+                                                                                        phi_2769_ = _e2194;
+                                                                                    } else {
+                                                                                        phi_2769_ = _e2196.z;
+                                                                                    }
+                                                                                    let _e2211 = phi_2769_;
+                                                                                    let _e2213 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2215 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2213.x > _e2215.x) {
+                                                                                        phi_2782_ = _e2213.x;
+                                                                                    } else {
+                                                                                        phi_2782_ = _e2215.x;
+                                                                                    }
+                                                                                    let _e2222 = phi_2782_;
+                                                                                    if (_e2213.y > _e2215.y) {
+                                                                                        phi_2791_ = _e2213.y;
+                                                                                    } else {
+                                                                                        phi_2791_ = _e2215.y;
+                                                                                    }
+                                                                                    let _e2229 = phi_2791_;
+                                                                                    if (_e2213.z > _e2215.z) {
+                                                                                        phi_2800_ = _e2213.z;
+                                                                                    } else {
+                                                                                        phi_2800_ = _e2215.z;
+                                                                                    }
+                                                                                    let _e2236 = phi_2800_;
+                                                                                    let _e2238 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2222 > _e2238.x) {
+                                                                                        phi_2809_ = _e2222;
+                                                                                    } else {
+                                                                                        phi_2809_ = _e2238.x;
+                                                                                    }
+                                                                                    let _e2243 = phi_2809_;
+                                                                                    if (_e2229 > _e2238.y) {
+                                                                                        phi_2816_ = _e2229;
+                                                                                    } else {
+                                                                                        phi_2816_ = _e2238.y;
+                                                                                    }
+                                                                                    let _e2248 = phi_2816_;
+                                                                                    if (_e2236 > _e2238.z) {
+                                                                                        phi_2823_ = _e2236;
+                                                                                    } else {
+                                                                                        phi_2823_ = _e2238.z;
+                                                                                    }
+                                                                                    let _e2253 = phi_2823_;
+                                                                                    let _e2257 = ((_e2201 - _e1067) * _e1282);
+                                                                                    let _e2258 = ((_e2206 - _e1080) * _e1292);
+                                                                                    let _e2259 = ((_e2211 - _e1093) * _e1302);
+                                                                                    let _e2263 = ((_e2243 - _e1067) * _e1282);
+                                                                                    let _e2264 = ((_e2248 - _e1080) * _e1292);
+                                                                                    let _e2265 = ((_e2253 - _e1093) * _e1302);
+                                                                                    if (_e2257 < _e2263) {
+                                                                                        phi_2840_ = _e2257;
+                                                                                    } else {
+                                                                                        phi_2840_ = _e2263;
+                                                                                    }
+                                                                                    let _e2268 = phi_2840_;
+                                                                                    if (_e2258 < _e2264) {
+                                                                                        phi_2845_ = _e2258;
+                                                                                    } else {
+                                                                                        phi_2845_ = _e2264;
+                                                                                    }
+                                                                                    let _e2271 = phi_2845_;
+                                                                                    if (_e2259 < _e2265) {
+                                                                                        phi_2850_ = _e2259;
+                                                                                    } else {
+                                                                                        phi_2850_ = _e2265;
+                                                                                    }
+                                                                                    let _e2274 = phi_2850_;
+                                                                                    if (_e2257 > _e2263) {
+                                                                                        phi_2858_ = _e2257;
+                                                                                    } else {
+                                                                                        phi_2858_ = _e2263;
+                                                                                    }
+                                                                                    let _e2280 = phi_2858_;
+                                                                                    if (_e2258 > _e2264) {
+                                                                                        phi_2863_ = _e2258;
+                                                                                    } else {
+                                                                                        phi_2863_ = _e2264;
+                                                                                    }
+                                                                                    let _e2283 = phi_2863_;
+                                                                                    if (_e2259 > _e2265) {
+                                                                                        phi_2868_ = _e2259;
+                                                                                    } else {
+                                                                                        phi_2868_ = _e2265;
+                                                                                    }
+                                                                                    let _e2286 = phi_2868_;
+                                                                                    let _e2290 = core_intrinsics_maximum_number_nsz_f32_((_e2268 - _e1337), (_e2271 - _e1338));
+                                                                                    let _e2291 = core_intrinsics_maximum_number_nsz_f32_(_e2290, (_e2274 - _e1339));
+                                                                                    let _e2292 = core_intrinsics_minimum_number_nsz_f32_((_e2280 + _e1337), (_e2283 + _e1338));
+                                                                                    let _e2293 = core_intrinsics_minimum_number_nsz_f32_(_e2292, (_e2286 + _e1339));
+                                                                                    if (_e2291 > _e1042) {
+                                                                                        phi_2880_ = _e2291;
+                                                                                    } else {
+                                                                                        phi_2880_ = _e1042;
+                                                                                    }
+                                                                                    let _e2296 = phi_2880_;
+                                                                                    if (_e2293 < _e1044) {
+                                                                                        phi_2885_ = _e2293;
+                                                                                    } else {
+                                                                                        phi_2885_ = _e1044;
+                                                                                    }
+                                                                                    let _e2299 = phi_2885_;
+                                                                                    if (_e2167 < _e2296) {
+                                                                                        phi_2890_ = _e2296;
+                                                                                    } else {
+                                                                                        phi_2890_ = _e2167;
+                                                                                    }
+                                                                                    let _e2302 = phi_2890_;
+                                                                                    if (_e2302 > _e2299) {
+                                                                                        phi_2895_ = _e2299;
+                                                                                    } else {
+                                                                                        phi_2895_ = _e2302;
+                                                                                    }
+                                                                                    let _e2305 = phi_2895_;
+                                                                                    phi_2900_ = lt_bvh_triangle_Intersection(_e2305, (_e2099 / _e2158), (_e2120 / _e2158), (_e2296 <= _e2299));
+                                                                                    phi_2901_ = false;
                                                                                 } else {
-                                                                                    phi_3021_ = bool();
-                                                                                    phi_3022_ = true;
+                                                                                    phi_2900_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2901_ = true;
                                                                                 }
-                                                                                let _e2336 = phi_3021_;
-                                                                                let _e2338 = phi_3022_;
-                                                                                if _e2338 {
-                                                                                    phi_3026_ = false;
-                                                                                } else {
-                                                                                    phi_3026_ = _e2336;
-                                                                                }
-                                                                                let _e2340 = phi_3026_;
-                                                                                phi_3027_ = _e2340;
+                                                                                let _e2311 = phi_2900_;
+                                                                                let _e2313 = phi_2901_;
+                                                                                phi_2902_ = _e2311;
+                                                                                phi_2903_ = _e2313;
+                                                                            } else {
+                                                                                phi_2902_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2903_ = true;
                                                                             }
-                                                                            let _e2342 = phi_3027_;
-                                                                            if _e2342 {
-                                                                                let _e2344 = triangles.member[(0u + _e1963)].i0_;
-                                                                                if ((_e2344 & 2147483648u) == 0u) {
-                                                                                    phi_3041_ = true;
+                                                                            let _e2315 = phi_2902_;
+                                                                            let _e2317 = phi_2903_;
+                                                                            if _e2317 {
+                                                                            }
+                                                                            phi_2907_ = _e2315;
+                                                                            phi_2908_ = _e2317;
+                                                                        }
+                                                                        let _e2319 = phi_2907_;
+                                                                        let _e2321 = phi_2908_;
+                                                                        phi_2909_ = _e2319;
+                                                                        phi_2910_ = _e2161;
+                                                                        phi_2911_ = _e2321;
+                                                                    } else {
+                                                                        phi_2909_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2910_ = true;
+                                                                        phi_2911_ = false;
+                                                                    }
+                                                                    let _e2323 = phi_2909_;
+                                                                    let _e2325 = phi_2910_;
+                                                                    let _e2327 = phi_2911_;
+                                                                    if _e2325 {
+                                                                        phi_2915_ = true;
+                                                                    } else {
+                                                                        phi_2915_ = _e2327;
+                                                                    }
+                                                                    let _e2329 = phi_2915_;
+                                                                    if _e2329 {
+                                                                        phi_2919_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2919_ = _e2323;
+                                                                    }
+                                                                    let _e2331 = phi_2919_;
+                                                                    if _e2331.is_hit {
+                                                                        if (_e2331.t > _e157.tmin) {
+                                                                            if (_e2331.t < _e1957.t) {
+                                                                                phi_2967_ = true;
+                                                                            } else {
+                                                                                if (_e2331.t == _e1957.t) {
+                                                                                    if (_e1957.triangle != 4294967295u) {
+                                                                                        if (_e1968 < _e1957.triangle) {
+                                                                                            phi_2958_ = true;
+                                                                                        } else {
+                                                                                            if (_e1968 == _e1957.triangle) {
+                                                                                                phi_2957_ = (_e983 < _e1957.instance);
+                                                                                            } else {
+                                                                                                phi_2957_ = false;
+                                                                                            }
+                                                                                            let _e2349 = phi_2957_;
+                                                                                            phi_2958_ = _e2349;
+                                                                                        }
+                                                                                        let _e2351 = phi_2958_;
+                                                                                        phi_2959_ = _e2351;
+                                                                                        phi_2960_ = false;
+                                                                                    } else {
+                                                                                        phi_2959_ = bool();
+                                                                                        phi_2960_ = true;
+                                                                                    }
+                                                                                    let _e2353 = phi_2959_;
+                                                                                    let _e2355 = phi_2960_;
+                                                                                    phi_2961_ = _e2353;
+                                                                                    phi_2962_ = _e2355;
+                                                                                } else {
+                                                                                    phi_2961_ = bool();
+                                                                                    phi_2962_ = true;
+                                                                                }
+                                                                                let _e2357 = phi_2961_;
+                                                                                let _e2359 = phi_2962_;
+                                                                                if _e2359 {
+                                                                                    phi_2966_ = false;
+                                                                                } else {
+                                                                                    phi_2966_ = _e2357;
+                                                                                }
+                                                                                let _e2361 = phi_2966_;
+                                                                                phi_2967_ = _e2361;
+                                                                            }
+                                                                            let _e2363 = phi_2967_;
+                                                                            if _e2363 {
+                                                                                let _e2365 = triangles.member[(0u + _e1968)].i0_;
+                                                                                if ((_e2365 & 2147483648u) == 0u) {
+                                                                                    phi_2981_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_3041_ = true;
+                                                                                    phi_2981_ = true;
                                                                                 }
-                                                                                let _e2348 = phi_3041_;
-                                                                                if _e2348 {
-                                                                                    phi_3049_ = lt_bvh_Hit(_e2310.t, _e2310.u, _e2310.v, _e1963, _e979);
+                                                                                let _e2369 = phi_2981_;
+                                                                                if _e2369 {
+                                                                                    phi_2989_ = lt_bvh_Hit(_e2331.t, _e2331.u, _e2331.v, _e1968, _e983);
                                                                                 } else {
-                                                                                    phi_3049_ = _e1952;
+                                                                                    phi_2989_ = _e1957;
                                                                                 }
-                                                                                let _e2354 = phi_3049_;
-                                                                                phi_3050_ = _e2354;
+                                                                                let _e2375 = phi_2989_;
+                                                                                phi_2990_ = _e2375;
                                                                             } else {
-                                                                                phi_3050_ = _e1952;
+                                                                                phi_2990_ = _e1957;
                                                                             }
-                                                                            let _e2356 = phi_3050_;
-                                                                            phi_3051_ = _e2356;
+                                                                            let _e2377 = phi_2990_;
+                                                                            phi_2991_ = _e2377;
                                                                         } else {
-                                                                            phi_3051_ = _e1952;
+                                                                            phi_2991_ = _e1957;
                                                                         }
-                                                                        let _e2358 = phi_3051_;
-                                                                        phi_3052_ = _e2358;
+                                                                        let _e2379 = phi_2991_;
+                                                                        phi_2992_ = _e2379;
                                                                     } else {
-                                                                        phi_3052_ = _e1952;
+                                                                        phi_2992_ = _e1957;
                                                                     }
-                                                                    let _e2360 = phi_3052_;
-                                                                    phi_2527_ = _e2360;
-                                                                    phi_2530_ = (_e1954 & (_e1954 - 1u));
-                                                                    phi_3053_ = true;
+                                                                    let _e2381 = phi_2992_;
+                                                                    phi_2446_ = _e2381;
+                                                                    phi_2449_ = (_e1959 & (_e1959 - 1u));
+                                                                    phi_2993_ = true;
                                                                 }
-                                                                let _e2362 = phi_2527_;
-                                                                let _e2364 = phi_2530_;
-                                                                let _e2366 = phi_3053_;
+                                                                let _e2383 = phi_2446_;
+                                                                let _e2385 = phi_2449_;
+                                                                let _e2387 = phi_2993_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2526_ = _e2362;
-                                                                    phi_2529_ = _e2364;
-                                                                    break if !(_e2366);
+                                                                    phi_2445_ = _e2383;
+                                                                    phi_2448_ = _e2385;
+                                                                    break if !(_e2387);
                                                                 }
                                                             }
-                                                            let _e2369 = local_3.group_mask;
-                                                            if ((_e2369 & 4278190080u) == 0u) {
-                                                                let _e2373 = local_3.len;
-                                                                if (_e2373 == 0u) {
-                                                                    phi_3092_ = false;
+                                                            let _e2390 = local_1.group_mask;
+                                                            if ((_e2390 & 4278190080u) == 0u) {
+                                                                let _e2394 = local_1.len;
+                                                                if (_e2394 == 0u) {
+                                                                    phi_3032_ = false;
                                                                 } else {
-                                                                    let _e2377 = local_3.len;
-                                                                    local_3.len = (_e2377 - 1u);
-                                                                    let _e2380 = local_3.len;
-                                                                    if (_e2380 < 32u) {
+                                                                    let _e2398 = local_1.len;
+                                                                    local_1.len = (_e2398 - 1u);
+                                                                    let _e2401 = local_1.len;
+                                                                    if (_e2401 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2385 = local_3.first[(0u + _e2380)];
-                                                                    local_3.group = _e2385;
-                                                                    let _e2388 = local_3.len;
-                                                                    if (_e2388 < 32u) {
+                                                                    let _e2406 = local_1.first[(0u + _e2401)];
+                                                                    local_1.group = _e2406;
+                                                                    let _e2409 = local_1.len;
+                                                                    if (_e2409 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2393 = local_3.mask[(0u + _e2388)];
-                                                                    local_3.group_mask = _e2393;
-                                                                    phi_3092_ = true;
+                                                                    let _e2414 = local_1.mask[(0u + _e2409)];
+                                                                    local_1.group_mask = _e2414;
+                                                                    phi_3032_ = true;
                                                                 }
-                                                                let _e2396 = phi_3092_;
-                                                                phi_3093_ = _e2396;
+                                                                let _e2417 = phi_3032_;
+                                                                phi_3033_ = _e2417;
                                                             } else {
-                                                                phi_3093_ = true;
+                                                                phi_3033_ = true;
                                                             }
-                                                            let _e2398 = phi_3093_;
-                                                            if _e2398 {
-                                                                let _e2400 = local_3.group_mask;
-                                                                let _e2406 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2400)), 32u, (_e2400 == 0u)));
-                                                                let _e2410 = local_3.group_mask;
-                                                                let _e2424 = local_3.group_mask;
-                                                                local_3.group_mask = (_e2424 & ~((1u << bitcast<u32>((_e2406 & 31u)))));
-                                                                let _e2427 = local_3.group;
-                                                                phi_3124_ = (_e2427 + countOneBits(((_e2410 & ~((4294967295u << bitcast<u32>((((_e2406 - 24u) ^ _e1375) & 31u))))) & 255u)));
+                                                            let _e2419 = phi_3033_;
+                                                            if _e2419 {
+                                                                let _e2421 = local_1.group_mask;
+                                                                let _e2427 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2421)), 32u, (_e2421 == 0u)));
+                                                                let _e2431 = local_1.group_mask;
+                                                                let _e2445 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2445 & ~((1u << bitcast<u32>((_e2427 & 31u)))));
+                                                                let _e2448 = local_1.group;
+                                                                phi_3064_ = (_e2448 + countOneBits(((_e2431 & ~((4294967295u << bitcast<u32>((((_e2427 - 24u) ^ _e1380) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3124_ = 4294967295u;
+                                                                phi_3064_ = 4294967295u;
                                                             }
-                                                            let _e2430 = phi_3124_;
-                                                            let _e3264 = local_11;
-                                                            phi_2194_ = _e3264;
-                                                            phi_2197_ = _e2430;
+                                                            let _e2451 = phi_3064_;
+                                                            let _e3575 = local_9;
+                                                            phi_2113_ = _e3575;
+                                                            phi_2116_ = _e2451;
                                                         } else {
-                                                            phi_2194_ = lt_bvh_Hit();
-                                                            phi_2197_ = u32();
+                                                            phi_2113_ = lt_bvh_Hit();
+                                                            phi_2116_ = u32();
                                                         }
-                                                        let _e2432 = phi_2194_;
-                                                        let _e2434 = phi_2197_;
+                                                        let _e2453 = phi_2113_;
+                                                        let _e2455 = phi_2116_;
                                                         continue;
                                                         continuing {
-                                                            phi_2193_ = _e2432;
-                                                            phi_2196_ = _e2434;
-                                                            break if !(_e1516);
+                                                            phi_2112_ = _e2453;
+                                                            phi_2115_ = _e2455;
+                                                            break if !(_e1521);
                                                         }
                                                     }
-                                                    let _e3268 = local_12;
-                                                    phi_3125_ = _e3268;
+                                                    let _e3579 = local_10;
+                                                    phi_3065_ = _e3579;
                                                 }
-                                                let _e2437 = phi_3125_;
-                                                phi_3126_ = _e2437;
-                                                phi_3127_ = _e1201;
+                                                let _e2458 = phi_3065_;
+                                                phi_3066_ = _e2458;
+                                                phi_3067_ = _e1206;
                                             } else {
-                                                phi_3126_ = lt_bvh_Hit();
-                                                phi_3127_ = true;
+                                                phi_3066_ = lt_bvh_Hit();
+                                                phi_3067_ = true;
                                             }
-                                            let _e2439 = phi_3126_;
-                                            let _e2441 = phi_3127_;
-                                            if _e2441 {
-                                                phi_3131_ = _e971;
+                                            let _e2460 = phi_3066_;
+                                            let _e2462 = phi_3067_;
+                                            if _e2462 {
+                                                phi_3071_ = _e975;
                                             } else {
-                                                phi_3131_ = _e2439;
+                                                phi_3071_ = _e2460;
                                             }
-                                            let _e2443 = phi_3131_;
-                                            phi_3132_ = _e2443;
+                                            let _e2464 = phi_3071_;
+                                            phi_3072_ = _e2464;
                                         } else {
-                                            phi_3132_ = _e971;
+                                            phi_3072_ = _e975;
                                         }
-                                        let _e2445 = phi_3132_;
-                                        phi_3133_ = _e2445;
+                                        let _e2466 = phi_3072_;
+                                        phi_3073_ = _e2466;
                                     } else {
-                                        phi_3133_ = _e971;
+                                        phi_3073_ = _e975;
                                     }
-                                    let _e2447 = phi_3133_;
-                                    phi_3134_ = _e2447;
+                                    let _e2468 = phi_3073_;
+                                    phi_3074_ = _e2468;
                                 } else {
-                                    phi_3134_ = _e971;
+                                    phi_3074_ = _e975;
                                 }
-                                let _e2449 = phi_3134_;
-                                phi_1569_ = (_e969 & (_e969 - 1u));
-                                phi_1572_ = _e2449;
-                                phi_3135_ = true;
+                                let _e2470 = phi_3074_;
+                                phi_1487_ = (_e973 & (_e973 - 1u));
+                                phi_1490_ = _e2470;
+                                phi_3075_ = true;
                             }
-                            let _e2451 = phi_1569_;
-                            let _e2453 = phi_1572_;
-                            let _e2455 = phi_3135_;
+                            let _e2472 = phi_1487_;
+                            let _e2474 = phi_1490_;
+                            let _e2476 = phi_3075_;
                             continue;
                             continuing {
-                                phi_1568_ = _e2451;
-                                phi_1571_ = _e2453;
-                                break if !(_e2455);
+                                phi_1486_ = _e2472;
+                                phi_1489_ = _e2474;
+                                break if !(_e2476);
                             }
                         }
-                        let _e2458 = local_4.group_mask;
-                        if ((_e2458 & 4278190080u) == 0u) {
-                            let _e2462 = local_4.len;
-                            if (_e2462 == 0u) {
-                                phi_3174_ = false;
+                        let _e2479 = local_2.group_mask;
+                        if ((_e2479 & 4278190080u) == 0u) {
+                            let _e2483 = local_2.len;
+                            if (_e2483 == 0u) {
+                                phi_3114_ = false;
                             } else {
-                                let _e2466 = local_4.len;
-                                local_4.len = (_e2466 - 1u);
-                                let _e2469 = local_4.len;
-                                if (_e2469 < 32u) {
+                                let _e2487 = local_2.len;
+                                local_2.len = (_e2487 - 1u);
+                                let _e2490 = local_2.len;
+                                if (_e2490 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2474 = local_4.first[(0u + _e2469)];
-                                local_4.group = _e2474;
-                                let _e2477 = local_4.len;
-                                if (_e2477 < 32u) {
+                                let _e2495 = local_2.first[(0u + _e2490)];
+                                local_2.group = _e2495;
+                                let _e2498 = local_2.len;
+                                if (_e2498 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2482 = local_4.mask[(0u + _e2477)];
-                                local_4.group_mask = _e2482;
-                                phi_3174_ = true;
+                                let _e2503 = local_2.mask[(0u + _e2498)];
+                                local_2.group_mask = _e2503;
+                                phi_3114_ = true;
                             }
-                            let _e2485 = phi_3174_;
-                            phi_3175_ = _e2485;
+                            let _e2506 = phi_3114_;
+                            phi_3115_ = _e2506;
                         } else {
-                            phi_3175_ = true;
+                            phi_3115_ = true;
                         }
-                        let _e2487 = phi_3175_;
-                        if _e2487 {
-                            let _e2489 = local_4.group_mask;
-                            let _e2495 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2489)), 32u, (_e2489 == 0u)));
-                            let _e2499 = local_4.group_mask;
-                            let _e2513 = local_4.group_mask;
-                            local_4.group_mask = (_e2513 & ~((1u << bitcast<u32>((_e2495 & 31u)))));
-                            let _e2516 = local_4.group;
-                            phi_3206_ = (_e2516 + countOneBits(((_e2499 & ~((4294967295u << bitcast<u32>((((_e2495 - 24u) ^ _e388) & 31u))))) & 255u)));
+                        let _e2508 = phi_3115_;
+                        if _e2508 {
+                            let _e2510 = local_2.group_mask;
+                            let _e2516 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2510)), 32u, (_e2510 == 0u)));
+                            let _e2520 = local_2.group_mask;
+                            let _e2534 = local_2.group_mask;
+                            local_2.group_mask = (_e2534 & ~((1u << bitcast<u32>((_e2516 & 31u)))));
+                            let _e2537 = local_2.group;
+                            phi_3146_ = (_e2537 + countOneBits(((_e2520 & ~((4294967295u << bitcast<u32>((((_e2516 - 24u) ^ _e392) & 31u))))) & 255u)));
                         } else {
-                            phi_3206_ = 4294967295u;
+                            phi_3146_ = 4294967295u;
                         }
-                        let _e2519 = phi_3206_;
-                        phi_1232_ = _e2519;
-                        let _e3284 = local_13;
-                        phi_1235_ = _e3284;
+                        let _e2540 = phi_3146_;
+                        phi_1150_ = _e2540;
+                        let _e3595 = local_11;
+                        phi_1153_ = _e3595;
                     } else {
-                        phi_1232_ = u32();
-                        phi_1235_ = lt_bvh_Hit();
+                        phi_1150_ = u32();
+                        phi_1153_ = lt_bvh_Hit();
                     }
-                    let _e2521 = phi_1232_;
-                    let _e2523 = phi_1235_;
+                    let _e2542 = phi_1150_;
+                    let _e2544 = phi_1153_;
                     continue;
                     continuing {
-                        phi_1231_ = _e2521;
-                        phi_1234_ = _e2523;
-                        break if !(_e529);
+                        phi_1149_ = _e2542;
+                        phi_1152_ = _e2544;
+                        break if !(_e533);
                     }
                 }
-                let _e3287 = local_14;
-                phi_3207_ = _e3287;
+                let _e3598 = local_12;
+                phi_3147_ = _e3598;
             }
-            let _e2526 = phi_3207_;
-            phi_3208_ = _e2526;
-            phi_3209_ = _e225;
+            let _e2547 = phi_3147_;
+            phi_3148_ = _e2547;
+            phi_3149_ = _e229;
         } else {
-            phi_3208_ = lt_bvh_Hit();
-            phi_3209_ = true;
+            phi_3148_ = lt_bvh_Hit();
+            phi_3149_ = true;
         }
-        let _e2528 = phi_3208_;
-        let _e2530 = phi_3209_;
-        if _e2530 {
-            phi_3213_ = _e155;
+        let _e2549 = phi_3148_;
+        let _e2551 = phi_3149_;
+        if _e2551 {
+            phi_3153_ = _e159;
         } else {
-            phi_3213_ = _e2528;
+            phi_3153_ = _e2549;
         }
-        let _e2532 = phi_3213_;
-        if (_e2532.triangle != 4294967295u) {
-            let _e2537 = lt_shaders_surface_barycentric_weights(_e2532.u, _e2532.v);
-            if (_e2532.triangle < _e75) {
+        let _e2553 = phi_3153_;
+        if (_e2553.triangle != 4294967295u) {
+            let _e2559 = ((1f - _e2553.u) - _e2553.v);
+            if (_e2553.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2542 = triangles.member[(0u + _e2532.triangle)];
-            if (_e2532.instance < _e87) {
+            let _e2564 = triangles.member[(0u + _e2553.triangle)];
+            if (_e2553.instance < _e91) {
             } else {
                 return;
             }
-            let _e2553 = instances.member[(0u + _e2532.instance)].object_to_world[0u];
-            let _e2564 = ((((_e2553.x * _e2542.v0_.x) + (_e2553.y * _e2542.v0_.y)) + (_e2553.z * _e2542.v0_.z)) + (_e2553.w * 1f));
-            let _e2566 = instances.member[(0u + _e2532.instance)].object_to_world[1u];
-            let _e2577 = ((((_e2566.x * _e2542.v0_.x) + (_e2566.y * _e2542.v0_.y)) + (_e2566.z * _e2542.v0_.z)) + (_e2566.w * 1f));
-            let _e2579 = instances.member[(0u + _e2532.instance)].object_to_world[2u];
-            let _e2590 = ((((_e2579.x * _e2542.v0_.x) + (_e2579.y * _e2542.v0_.y)) + (_e2579.z * _e2542.v0_.z)) + (_e2579.w * 1f));
-            let _e2597 = instances.member[(0u + _e2532.instance)].object_to_world[0u];
-            let _e2608 = ((((_e2597.x * _e2542.v1_.x) + (_e2597.y * _e2542.v1_.y)) + (_e2597.z * _e2542.v1_.z)) + (_e2597.w * 1f));
-            let _e2610 = instances.member[(0u + _e2532.instance)].object_to_world[1u];
-            let _e2621 = ((((_e2610.x * _e2542.v1_.x) + (_e2610.y * _e2542.v1_.y)) + (_e2610.z * _e2542.v1_.z)) + (_e2610.w * 1f));
-            let _e2623 = instances.member[(0u + _e2532.instance)].object_to_world[2u];
-            let _e2634 = ((((_e2623.x * _e2542.v1_.x) + (_e2623.y * _e2542.v1_.y)) + (_e2623.z * _e2542.v1_.z)) + (_e2623.w * 1f));
-            let _e2641 = instances.member[(0u + _e2532.instance)].object_to_world[0u];
-            let _e2652 = ((((_e2641.x * _e2542.v2_.x) + (_e2641.y * _e2542.v2_.y)) + (_e2641.z * _e2542.v2_.z)) + (_e2641.w * 1f));
-            let _e2654 = instances.member[(0u + _e2532.instance)].object_to_world[1u];
-            let _e2665 = ((((_e2654.x * _e2542.v2_.x) + (_e2654.y * _e2542.v2_.y)) + (_e2654.z * _e2542.v2_.z)) + (_e2654.w * 1f));
-            let _e2667 = instances.member[(0u + _e2532.instance)].object_to_world[2u];
-            let _e2678 = ((((_e2667.x * _e2542.v2_.x) + (_e2667.y * _e2542.v2_.y)) + (_e2667.z * _e2542.v2_.z)) + (_e2667.w * 1f));
-            let _e2694 = (((_e2564 * _e2537.x) + (_e2608 * _e2537.y)) + (_e2652 * _e2537.z));
-            let _e2695 = (((_e2577 * _e2537.x) + (_e2621 * _e2537.y)) + (_e2665 * _e2537.z));
-            let _e2696 = (((_e2590 * _e2537.x) + (_e2634 * _e2537.y)) + (_e2678 * _e2537.z));
-            let _e2698 = abs(_e2564);
-            let _e2699 = abs(_e2577);
-            let _e2700 = abs(_e2590);
-            let _e2701 = abs(_e2608);
-            let _e2702 = abs(_e2621);
-            let _e2703 = abs(_e2634);
-            if (_e2698 > _e2701) {
-                phi_3402_ = _e2698;
+            let _e2575 = instances.member[(0u + _e2553.instance)].object_to_world[0u];
+            let _e2586 = ((((_e2575.x * _e2564.v0_.x) + (_e2575.y * _e2564.v0_.y)) + (_e2575.z * _e2564.v0_.z)) + (_e2575.w * 1f));
+            let _e2588 = instances.member[(0u + _e2553.instance)].object_to_world[1u];
+            let _e2599 = ((((_e2588.x * _e2564.v0_.x) + (_e2588.y * _e2564.v0_.y)) + (_e2588.z * _e2564.v0_.z)) + (_e2588.w * 1f));
+            let _e2601 = instances.member[(0u + _e2553.instance)].object_to_world[2u];
+            let _e2612 = ((((_e2601.x * _e2564.v0_.x) + (_e2601.y * _e2564.v0_.y)) + (_e2601.z * _e2564.v0_.z)) + (_e2601.w * 1f));
+            let _e2619 = instances.member[(0u + _e2553.instance)].object_to_world[0u];
+            let _e2630 = ((((_e2619.x * _e2564.v1_.x) + (_e2619.y * _e2564.v1_.y)) + (_e2619.z * _e2564.v1_.z)) + (_e2619.w * 1f));
+            let _e2632 = instances.member[(0u + _e2553.instance)].object_to_world[1u];
+            let _e2643 = ((((_e2632.x * _e2564.v1_.x) + (_e2632.y * _e2564.v1_.y)) + (_e2632.z * _e2564.v1_.z)) + (_e2632.w * 1f));
+            let _e2645 = instances.member[(0u + _e2553.instance)].object_to_world[2u];
+            let _e2656 = ((((_e2645.x * _e2564.v1_.x) + (_e2645.y * _e2564.v1_.y)) + (_e2645.z * _e2564.v1_.z)) + (_e2645.w * 1f));
+            let _e2663 = instances.member[(0u + _e2553.instance)].object_to_world[0u];
+            let _e2674 = ((((_e2663.x * _e2564.v2_.x) + (_e2663.y * _e2564.v2_.y)) + (_e2663.z * _e2564.v2_.z)) + (_e2663.w * 1f));
+            let _e2676 = instances.member[(0u + _e2553.instance)].object_to_world[1u];
+            let _e2687 = ((((_e2676.x * _e2564.v2_.x) + (_e2676.y * _e2564.v2_.y)) + (_e2676.z * _e2564.v2_.z)) + (_e2676.w * 1f));
+            let _e2689 = instances.member[(0u + _e2553.instance)].object_to_world[2u];
+            let _e2700 = ((((_e2689.x * _e2564.v2_.x) + (_e2689.y * _e2564.v2_.y)) + (_e2689.z * _e2564.v2_.z)) + (_e2689.w * 1f));
+            let _e2713 = (((_e2586 * _e2559) + (_e2630 * _e2553.u)) + (_e2674 * _e2553.v));
+            let _e2714 = (((_e2599 * _e2559) + (_e2643 * _e2553.u)) + (_e2687 * _e2553.v));
+            let _e2715 = (((_e2612 * _e2559) + (_e2656 * _e2553.u)) + (_e2700 * _e2553.v));
+            let _e2717 = abs(_e2586);
+            let _e2718 = abs(_e2599);
+            let _e2719 = abs(_e2612);
+            let _e2720 = abs(_e2630);
+            let _e2721 = abs(_e2643);
+            let _e2722 = abs(_e2656);
+            if (_e2717 > _e2720) {
+                phi_3340_ = _e2717;
             } else {
-                phi_3402_ = _e2701;
+                phi_3340_ = _e2720;
             }
-            let _e2706 = phi_3402_;
-            if (_e2699 > _e2702) {
-                phi_3407_ = _e2699;
+            let _e2725 = phi_3340_;
+            if (_e2718 > _e2721) {
+                phi_3345_ = _e2718;
             } else {
-                phi_3407_ = _e2702;
+                phi_3345_ = _e2721;
             }
-            let _e2709 = phi_3407_;
-            if (_e2700 > _e2703) {
-                phi_3412_ = _e2700;
+            let _e2728 = phi_3345_;
+            if (_e2719 > _e2722) {
+                phi_3350_ = _e2719;
             } else {
-                phi_3412_ = _e2703;
+                phi_3350_ = _e2722;
             }
-            let _e2712 = phi_3412_;
-            let _e2713 = abs(_e2652);
-            let _e2714 = abs(_e2665);
-            let _e2715 = abs(_e2678);
-            if (_e2706 > _e2713) {
-                phi_3420_ = _e2706;
+            let _e2731 = phi_3350_;
+            let _e2732 = abs(_e2674);
+            let _e2733 = abs(_e2687);
+            let _e2734 = abs(_e2700);
+            if (_e2725 > _e2732) {
+                phi_3358_ = _e2725;
             } else {
-                phi_3420_ = _e2713;
+                phi_3358_ = _e2732;
             }
-            let _e2718 = phi_3420_;
-            if (_e2709 > _e2714) {
-                phi_3425_ = _e2709;
+            let _e2737 = phi_3358_;
+            if (_e2728 > _e2733) {
+                phi_3363_ = _e2728;
             } else {
-                phi_3425_ = _e2714;
+                phi_3363_ = _e2733;
             }
-            let _e2721 = phi_3425_;
-            if (_e2712 > _e2715) {
-                phi_3430_ = _e2712;
+            let _e2740 = phi_3363_;
+            if (_e2731 > _e2734) {
+                phi_3368_ = _e2731;
             } else {
-                phi_3430_ = _e2715;
+                phi_3368_ = _e2734;
             }
-            let _e2724 = phi_3430_;
-            let _e2725 = (_e2608 - _e2564);
-            let _e2726 = (_e2621 - _e2577);
-            let _e2727 = (_e2634 - _e2590);
-            let _e2728 = (_e2652 - _e2564);
-            let _e2729 = (_e2665 - _e2577);
-            let _e2730 = (_e2678 - _e2590);
-            let _e2734 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2726), abs(_e2727));
-            let _e2735 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2725), _e2734);
-            let _e2736 = (_e2725 / _e2735);
-            let _e2737 = (_e2726 / _e2735);
-            let _e2738 = (_e2727 / _e2735);
-            let _e2742 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2729), abs(_e2730));
-            let _e2743 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2728), _e2742);
-            let _e2744 = (_e2728 / _e2743);
-            let _e2745 = (_e2729 / _e2743);
-            let _e2746 = (_e2730 / _e2743);
-            let _e2749 = ((_e2737 * _e2746) - (_e2745 * _e2738));
-            let _e2752 = ((_e2738 * _e2744) - (_e2746 * _e2736));
-            let _e2755 = ((_e2736 * _e2745) - (_e2744 * _e2737));
-            let _e2757 = p.member.eye;
-            let _e2766 = (1f / sqrt((((_e2749 * _e2749) + (_e2752 * _e2752)) + (_e2755 * _e2755))));
-            let _e2771 = lt_shaders_camera_facing(vec3<f32>((_e2749 * _e2766), (_e2752 * _e2766), (_e2755 * _e2766)), (_e2757 - vec3<f32>(_e2694, _e2695, _e2696)));
-            if (_e2532.triangle < _e75) {
+            let _e2743 = phi_3368_;
+            let _e2744 = (_e2630 - _e2586);
+            let _e2745 = (_e2643 - _e2599);
+            let _e2746 = (_e2656 - _e2612);
+            let _e2747 = (_e2674 - _e2586);
+            let _e2748 = (_e2687 - _e2599);
+            let _e2749 = (_e2700 - _e2612);
+            let _e2753 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2745), abs(_e2746));
+            let _e2754 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2744), _e2753);
+            let _e2755 = (_e2744 / _e2754);
+            let _e2756 = (_e2745 / _e2754);
+            let _e2757 = (_e2746 / _e2754);
+            let _e2761 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2748), abs(_e2749));
+            let _e2762 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2747), _e2761);
+            let _e2763 = (_e2747 / _e2762);
+            let _e2764 = (_e2748 / _e2762);
+            let _e2765 = (_e2749 / _e2762);
+            let _e2768 = ((_e2756 * _e2765) - (_e2764 * _e2757));
+            let _e2771 = ((_e2757 * _e2763) - (_e2765 * _e2755));
+            let _e2774 = ((_e2755 * _e2764) - (_e2763 * _e2756));
+            let _e2776 = p.member.eye;
+            let _e2789 = (1f / sqrt((((_e2768 * _e2768) + (_e2771 * _e2771)) + (_e2774 * _e2774))));
+            let _e2790 = (_e2768 * _e2789);
+            let _e2791 = (_e2771 * _e2789);
+            let _e2792 = (_e2774 * _e2789);
+            if ((((_e2790 * (_e2776.x - _e2713)) + (_e2791 * (_e2776.y - _e2714))) + (_e2792 * (_e2776.z - _e2715))) < 0f) {
+                phi_3432_ = vec3<f32>(-(_e2790), -(_e2791), -(_e2792));
+            } else {
+                phi_3432_ = vec3<f32>(_e2790, _e2791, _e2792);
+            }
+            let _e2805 = phi_3432_;
+            if (_e2553.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2776 = triangles.member[(0u + _e2532.triangle)];
-            let _e2778 = (_e2776.i0_ & 2147483647u);
-            if (_e2778 < _e78) {
+            let _e2810 = triangles.member[(0u + _e2553.triangle)];
+            let _e2812 = (_e2810.i0_ & 2147483647u);
+            if (_e2812 < _e82) {
             } else {
                 return;
             }
-            let _e2784 = vertices.member[(0u + _e2778)];
-            if (_e2776.i1_ < _e78) {
+            let _e2818 = vertices.member[(0u + _e2812)];
+            if (_e2810.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e2788 = vertices.member[(0u + _e2776.i1_)];
-            if (_e2776.i2_ < _e78) {
+            let _e2822 = vertices.member[(0u + _e2810.i1_)];
+            if (_e2810.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e2792 = vertices.member[(0u + _e2776.i2_)];
-            let _e2793 = array<abi_Vertex, 3>(_e2784, _e2788, _e2792);
-            local_1 = array<abi_Vertex, 3>(abi_Vertex(_e2793[0].u, _e2793[0].v, _e2793[0].normal, _e2793[0].color, _e2793[0].material), abi_Vertex(_e2793[1].u, _e2793[1].v, _e2793[1].normal, _e2793[1].color, _e2793[1].material), abi_Vertex(_e2793[2].u, _e2793[2].v, _e2793[2].normal, _e2793[2].color, _e2793[2].material));
-            let _e2818 = local_1[0u].material;
-            if (_e2818 < arrayLength((&materials.member))) {
+            let _e2826 = vertices.member[(0u + _e2810.i2_)];
+            let _e2827 = array<abi_Vertex, 3>(_e2818, _e2822, _e2826);
+            if (_e2827[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2822 = materials.member[(0u + _e2818)];
-            local_2 = abi_Material(_e2822.base_color, _e2822.cutoff, _e2822.flags, _e2822.alpha_offset, _e2822.alpha_size, _e2822.color_offset, _e2822.color_size, _e2822.pad);
-            let _e2832 = lt_shaders_surface_plain_color((&local_2), (&local_1), _e2537);
-            let _e2834 = local_2.color_size;
-            if (_e2834 == 0u) {
-                phi_3651_ = vec3<f32>(1f, 1f, 1f);
+            let _e2833 = materials.member[(0u + _e2827[0].material)];
+            let _e2850 = (1f / 255f);
+            let _e2869 = (1f / 255f);
+            let _e2891 = (1f / 255f);
+            if (_e2833.color_size == 0u) {
+                phi_3675_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                let _e2837 = local_2.color_offset;
-                let _e2839 = local_2.color_size;
-                let _e2841 = local_2.flags;
-                local.offset = _e2837;
-                local.size = _e2839;
-                local.flags = _e2841;
-                let _e2845 = lt_shaders_surface_texture_coordinate((&local_1), _e2537);
-                let _e2848 = _lt_shaders_texture_TextureView_quad((&local), _e2845.x, _e2845.y);
-                if (_e2848.indices[0] < _e90) {
+                local.offset = _e2833.color_offset;
+                local.size = _e2833.color_size;
+                local.flags = _e2833.flags;
+                let _e2934 = _lt_shaders_texture_TextureView_quad((&local), (((_e2827[0].u * _e2559) + (_e2827[1].u * _e2553.u)) + (_e2827[2].u * _e2553.v)), (((_e2827[0].v * _e2559) + (_e2827[1].v * _e2553.u)) + (_e2827[2].v * _e2553.v)));
+                if (_e2934.indices[0] < _e94) {
                 } else {
                     return;
                 }
-                let _e2854 = color_texels.member[(0u + _e2848.indices[0])];
-                let _e2855 = lt_shaders_texture_unorm_bytes(_e2854);
-                if (_e2848.indices[1] < _e90) {
+                let _e2940 = color_texels.member[(0u + _e2934.indices[0])];
+                let _e2951 = (1f / 255f);
+                if (_e2934.indices[1] < _e94) {
                 } else {
                     return;
                 }
-                let _e2869 = color_texels.member[(0u + _e2848.indices[1])];
-                let _e2870 = lt_shaders_texture_unorm_bytes(_e2869);
-                if (_e2848.indices[2] < _e90) {
+                let _e2965 = color_texels.member[(0u + _e2934.indices[1])];
+                let _e2976 = (1f / 255f);
+                if (_e2934.indices[2] < _e94) {
                 } else {
                     return;
                 }
-                let _e2887 = color_texels.member[(0u + _e2848.indices[2])];
-                let _e2888 = lt_shaders_texture_unorm_bytes(_e2887);
-                if (_e2848.indices[3] < _e90) {
+                let _e2993 = color_texels.member[(0u + _e2934.indices[2])];
+                let _e3004 = (1f / 255f);
+                if (_e2934.indices[3] < _e94) {
                 } else {
                     return;
                 }
-                let _e2905 = color_texels.member[(0u + _e2848.indices[3])];
-                let _e2906 = lt_shaders_texture_unorm_bytes(_e2905);
-                let _e2915 = ((((_e2855.x * _e2848.weights.x) + (_e2870.x * _e2848.weights.y)) + (_e2888.x * _e2848.weights.z)) + (_e2906.x * _e2848.weights.w));
-                let _e2916 = ((((_e2855.y * _e2848.weights.x) + (_e2870.y * _e2848.weights.y)) + (_e2888.y * _e2848.weights.z)) + (_e2906.y * _e2848.weights.w));
-                let _e2917 = ((((_e2855.z * _e2848.weights.x) + (_e2870.z * _e2848.weights.y)) + (_e2888.z * _e2848.weights.z)) + (_e2906.z * _e2848.weights.w));
-                phi_3651_ = vec3<f32>((_e2915 * _e2915), (_e2916 * _e2916), (_e2917 * _e2917));
+                let _e3021 = color_texels.member[(0u + _e2934.indices[3])];
+                let _e3032 = (1f / 255f);
+                let _e3041 = (((((f32((_e2940 & 255u)) * _e2951) * _e2934.weights.x) + ((f32((_e2965 & 255u)) * _e2976) * _e2934.weights.y)) + ((f32((_e2993 & 255u)) * _e3004) * _e2934.weights.z)) + ((f32((_e3021 & 255u)) * _e3032) * _e2934.weights.w));
+                let _e3042 = (((((f32(((_e2940 >> bitcast<u32>(8i)) & 255u)) * _e2951) * _e2934.weights.x) + ((f32(((_e2965 >> bitcast<u32>(8i)) & 255u)) * _e2976) * _e2934.weights.y)) + ((f32(((_e2993 >> bitcast<u32>(8i)) & 255u)) * _e3004) * _e2934.weights.z)) + ((f32(((_e3021 >> bitcast<u32>(8i)) & 255u)) * _e3032) * _e2934.weights.w));
+                let _e3043 = (((((f32(((_e2940 >> bitcast<u32>(16i)) & 255u)) * _e2951) * _e2934.weights.x) + ((f32(((_e2965 >> bitcast<u32>(16i)) & 255u)) * _e2976) * _e2934.weights.y)) + ((f32(((_e2993 >> bitcast<u32>(16i)) & 255u)) * _e3004) * _e2934.weights.z)) + ((f32(((_e3021 >> bitcast<u32>(16i)) & 255u)) * _e3032) * _e2934.weights.w));
+                phi_3675_ = vec3<f32>((_e3041 * _e3041), (_e3042 * _e3042), (_e3043 * _e3043));
             }
-            let _e2923 = phi_3651_;
-            let _e2925 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2721, _e2724);
-            let _e2926 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2718, _e2925);
-            let _e2928 = local_2.flags;
-            if ((_e2928 & 2u) == 0u) {
-                phi_3662_ = 0u;
+            let _e3049 = phi_3675_;
+            let _e3051 = ((_e2833.base_color.x * ((((f32((_e2827[0].color & 255u)) * _e2850) * _e2559) + ((f32((_e2827[1].color & 255u)) * _e2869) * _e2553.u)) + ((f32((_e2827[2].color & 255u)) * _e2891) * _e2553.v))) * _e3049.x);
+            let _e3053 = ((_e2833.base_color.y * ((((f32(((_e2827[0].color >> bitcast<u32>(8i)) & 255u)) * _e2850) * _e2559) + ((f32(((_e2827[1].color >> bitcast<u32>(8i)) & 255u)) * _e2869) * _e2553.u)) + ((f32(((_e2827[2].color >> bitcast<u32>(8i)) & 255u)) * _e2891) * _e2553.v))) * _e3049.y);
+            let _e3055 = ((_e2833.base_color.z * ((((f32(((_e2827[0].color >> bitcast<u32>(16i)) & 255u)) * _e2850) * _e2559) + ((f32(((_e2827[1].color >> bitcast<u32>(16i)) & 255u)) * _e2869) * _e2553.u)) + ((f32(((_e2827[2].color >> bitcast<u32>(16i)) & 255u)) * _e2891) * _e2553.v))) * _e3049.z);
+            let _e3056 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2740, _e2743);
+            let _e3057 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2737, _e3056);
+            if ((_e2833.flags & 2u) == 0u) {
+                phi_3690_ = 0u;
             } else {
-                phi_3662_ = 1u;
+                phi_3690_ = 1u;
             }
-            let _e2932 = phi_3662_;
-            let _e2935 = local_1[0u].normal;
-            if (_e2935 == 2147516416u) {
-                phi_3762_ = _e2771;
+            let _e3062 = phi_3690_;
+            if (_e2827[0].normal == 2147516416u) {
+                phi_3920_ = _e2805;
             } else {
-                let _e2939 = local_1[0u].normal;
-                let _e2940 = lt_shaders_surface_octahedral_decode(_e2939);
-                let _e2950 = local_1[1u].normal;
-                let _e2951 = lt_shaders_surface_octahedral_decode(_e2950);
-                let _e2964 = local_1[2u].normal;
-                let _e2965 = lt_shaders_surface_octahedral_decode(_e2964);
-                let _e2973 = (((_e2940.x * _e2537.x) + (_e2951.x * _e2537.y)) + (_e2965.x * _e2537.z));
-                let _e2974 = (((_e2940.y * _e2537.x) + (_e2951.y * _e2537.y)) + (_e2965.y * _e2537.z));
-                let _e2975 = (((_e2940.z * _e2537.x) + (_e2951.z * _e2537.y)) + (_e2965.z * _e2537.z));
-                if (_e2532.instance < _e87) {
+                let _e3075 = (f32((bitcast<i32>((_e2827[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3081 = (f32((bitcast<i32>(_e2827[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3085 = ((1f - abs(_e3075)) - abs(_e3081));
+                if (_e3085 < 0f) {
+                    phi_3717_ = -(_e3085);
+                } else {
+                    phi_3717_ = 0f;
+                }
+                let _e3089 = phi_3717_;
+                if (_e3075 < 0f) {
+                    phi_3724_ = (_e3075 + _e3089);
+                } else {
+                    phi_3724_ = (_e3075 - _e3089);
+                }
+                let _e3094 = phi_3724_;
+                if (_e3081 < 0f) {
+                    phi_3731_ = (_e3081 + _e3089);
+                } else {
+                    phi_3731_ = (_e3081 - _e3089);
+                }
+                let _e3099 = phi_3731_;
+                let _e3106 = (1f / sqrt((((_e3094 * _e3094) + (_e3099 * _e3099)) + (_e3085 * _e3085))));
+                let _e3122 = (f32((bitcast<i32>((_e2827[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3128 = (f32((bitcast<i32>(_e2827[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3132 = ((1f - abs(_e3122)) - abs(_e3128));
+                if (_e3132 < 0f) {
+                    phi_3766_ = -(_e3132);
+                } else {
+                    phi_3766_ = 0f;
+                }
+                let _e3136 = phi_3766_;
+                if (_e3122 < 0f) {
+                    phi_3773_ = (_e3122 + _e3136);
+                } else {
+                    phi_3773_ = (_e3122 - _e3136);
+                }
+                let _e3141 = phi_3773_;
+                if (_e3128 < 0f) {
+                    phi_3780_ = (_e3128 + _e3136);
+                } else {
+                    phi_3780_ = (_e3128 - _e3136);
+                }
+                let _e3146 = phi_3780_;
+                let _e3153 = (1f / sqrt((((_e3141 * _e3141) + (_e3146 * _e3146)) + (_e3132 * _e3132))));
+                let _e3172 = (f32((bitcast<i32>((_e2827[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3178 = (f32((bitcast<i32>(_e2827[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3182 = ((1f - abs(_e3172)) - abs(_e3178));
+                if (_e3182 < 0f) {
+                    phi_3818_ = -(_e3182);
+                } else {
+                    phi_3818_ = 0f;
+                }
+                let _e3186 = phi_3818_;
+                if (_e3172 < 0f) {
+                    phi_3825_ = (_e3172 + _e3186);
+                } else {
+                    phi_3825_ = (_e3172 - _e3186);
+                }
+                let _e3191 = phi_3825_;
+                if (_e3178 < 0f) {
+                    phi_3832_ = (_e3178 + _e3186);
+                } else {
+                    phi_3832_ = (_e3178 - _e3186);
+                }
+                let _e3196 = phi_3832_;
+                let _e3203 = (1f / sqrt((((_e3191 * _e3191) + (_e3196 * _e3196)) + (_e3182 * _e3182))));
+                let _e3210 = ((((_e3094 * _e3106) * _e2559) + ((_e3141 * _e3153) * _e2553.u)) + ((_e3191 * _e3203) * _e2553.v));
+                let _e3211 = ((((_e3099 * _e3106) * _e2559) + ((_e3146 * _e3153) * _e2553.u)) + ((_e3196 * _e3203) * _e2553.v));
+                let _e3212 = ((((_e3085 * _e3106) * _e2559) + ((_e3132 * _e3153) * _e2553.u)) + ((_e3182 * _e3203) * _e2553.v));
+                if (_e2553.instance < _e91) {
                 } else {
                     return;
                 }
-                let _e2982 = instances.member[(0u + _e2532.instance)].world_to_object[0u];
-                let _e2991 = instances.member[(0u + _e2532.instance)].world_to_object[1u];
-                let _e3003 = instances.member[(0u + _e2532.instance)].world_to_object[2u];
-                let _e3010 = (((_e2982.x * _e2973) + (_e2991.x * _e2974)) + (_e3003.x * _e2975));
-                let _e3011 = (((_e2982.y * _e2973) + (_e2991.y * _e2974)) + (_e3003.y * _e2975));
-                let _e3012 = (((_e2982.z * _e2973) + (_e2991.z * _e2974)) + (_e3003.z * _e2975));
-                let _e3018 = sqrt((((_e3010 * _e3010) + (_e3011 * _e3011)) + (_e3012 * _e3012)));
-                if (_e3018 > 0f) {
-                    let _e3024 = lt_shaders_camera_facing(vec3<f32>((_e3010 / _e3018), (_e3011 / _e3018), (_e3012 / _e3018)), _e2771);
-                    phi_3761_ = _e3024;
+                let _e3219 = instances.member[(0u + _e2553.instance)].world_to_object[0u];
+                let _e3228 = instances.member[(0u + _e2553.instance)].world_to_object[1u];
+                let _e3240 = instances.member[(0u + _e2553.instance)].world_to_object[2u];
+                let _e3247 = (((_e3219.x * _e3210) + (_e3228.x * _e3211)) + (_e3240.x * _e3212));
+                let _e3248 = (((_e3219.y * _e3210) + (_e3228.y * _e3211)) + (_e3240.y * _e3212));
+                let _e3249 = (((_e3219.z * _e3210) + (_e3228.z * _e3211)) + (_e3240.z * _e3212));
+                let _e3255 = sqrt((((_e3247 * _e3247) + (_e3248 * _e3248)) + (_e3249 * _e3249)));
+                if (_e3255 > 0f) {
+                    let _e3257 = (_e3247 / _e3255);
+                    let _e3258 = (_e3248 / _e3255);
+                    let _e3259 = (_e3249 / _e3255);
+                    if ((((_e3257 * _e2805.x) + (_e3258 * _e2805.y)) + (_e3259 * _e2805.z)) < 0f) {
+                        phi_3918_ = vec3<f32>(-(_e3257), -(_e3258), -(_e3259));
+                    } else {
+                        phi_3918_ = vec3<f32>(_e3257, _e3258, _e3259);
+                    }
+                    let _e3275 = phi_3918_;
+                    phi_3919_ = _e3275;
                 } else {
-                    phi_3761_ = _e2771;
+                    phi_3919_ = _e2805;
                 }
-                let _e3026 = phi_3761_;
-                phi_3762_ = _e3026;
+                let _e3277 = phi_3919_;
+                phi_3920_ = _e3277;
             }
-            let _e3028 = phi_3762_;
-            let _e3029 = lt_shaders_shade_pack_albedo((_e2832 * _e2923));
-            phi_3766_ = abi_Sample(vec3<f32>(_e2694, _e2695, _e2696), _e2926, _e2771, _e2932, _e3028, _e3029);
+            let _e3279 = phi_3920_;
+            if (_e3051 > 0f) {
+                if (_e3051 < 1f) {
+                    phi_3929_ = _e3051;
+                } else {
+                    phi_3929_ = 1f;
+                }
+                let _e3283 = phi_3929_;
+                phi_3930_ = _e3283;
+            } else {
+                phi_3930_ = 0f;
+            }
+            let _e3285 = phi_3930_;
+            if (_e3053 > 0f) {
+                if (_e3053 < 1f) {
+                    phi_3940_ = _e3053;
+                } else {
+                    phi_3940_ = 1f;
+                }
+                let _e3290 = phi_3940_;
+                phi_3941_ = _e3290;
+            } else {
+                phi_3941_ = 0f;
+            }
+            let _e3292 = phi_3941_;
+            if (_e3055 > 0f) {
+                if (_e3055 < 1f) {
+                    phi_3951_ = _e3055;
+                } else {
+                    phi_3951_ = 1f;
+                }
+                let _e3297 = phi_3951_;
+                phi_3952_ = _e3297;
+            } else {
+                phi_3952_ = 0f;
+            }
+            let _e3299 = phi_3952_;
+            let _e3302 = ((sqrt(_e3285) * 255f) + 0.5f);
+            let _e3311 = ((sqrt(_e3292) * 255f) + 0.5f);
+            let _e3323 = ((sqrt(_e3299) * 255f) + 0.5f);
+            phi_3987_ = abi_Sample(vec3<f32>(_e2713, _e2714, _e2715), _e3057, _e2805, _e3062, _e3279, ((select(select(u32(_e3302), 0u, (_e3302 < bitcast<f32>(0u))), 4294967295u, (_e3302 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3311), 0u, (_e3311 < bitcast<f32>(0u))), 4294967295u, (_e3311 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3323), 0u, (_e3323 < bitcast<f32>(0u))), 4294967295u, (_e3323 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3766_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3987_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3033 = phi_3766_;
-        if (_e96.first_primitive < arrayLength((&samples.member))) {
+        let _e3337 = phi_3987_;
+        if (_e100.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.first_primitive)] = _e3033;
+        samples.member[(0u + _e100.first_primitive)] = _e3337;
     }
     return;
 }

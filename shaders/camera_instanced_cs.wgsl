@@ -1,11 +1,3 @@
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -15,11 +7,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_8 {
+struct type_6 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_12 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_10 {
     member: array<abi_Vertex>,
 }
 
@@ -34,7 +34,7 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_17 {
+struct type_15 {
     member: array<abi_Material>,
 }
 
@@ -49,7 +49,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_32 {
+struct type_30 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -75,7 +75,7 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_41 {
+struct type_39 {
     member: array<abi_Sample>,
 }
 
@@ -92,7 +92,7 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct type_50 {
+struct type_47 {
     member: abi_CameraParams,
 }
 
@@ -104,7 +104,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_55 {
+struct type_52 {
     member: array<lt_bvh_Node>,
 }
 
@@ -136,2411 +136,2471 @@ struct lt_bvh_triangle_Intersection {
 }
 
 @group(0) @binding(3) 
-var<storage> vertices: type_12;
+var<storage> vertices: type_10;
 @group(0) @binding(4) 
-var<storage> materials: type_17;
+var<storage> materials: type_15;
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_50;
+var<uniform> p: type_47;
 @group(0) @binding(1) 
-var<storage> nodes: type_55;
+var<storage> nodes: type_52;
 @group(0) @binding(2) 
-var<storage> triangles: type_8;
+var<storage> triangles: type_6;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_41;
+var<storage, read_write> samples: type_39;
 @group(0) @binding(6) 
-var<storage> instances: type_32;
+var<storage> instances: type_30;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e75 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e75), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e75), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e75), (f32((param >> bitcast<u32>(24i))) * _e75));
-}
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_197_: lt_bvh_traverse_Tree;
+    var phi_198_: bool;
+    var phi_199_: lt_bvh_traverse_Tree;
+    var phi_200_: bool;
+    var phi_205_: lt_bvh_traverse_Tree;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e65 = (*param_1)[0u].color;
-    let _e66 = lt_shaders_texture_unorm_bytes(_e65);
-    let _e78 = (*param_1)[1u].color;
-    let _e79 = lt_shaders_texture_unorm_bytes(_e78);
-    let _e95 = (*param_1)[2u].color;
-    let _e96 = lt_shaders_texture_unorm_bytes(_e95);
-    return vec4<f32>((((_e66.x * param_2.x) + (_e79.x * param_2.y)) + (_e96.x * param_2.z)), (((_e66.y * param_2.x) + (_e79.y * param_2.y)) + (_e96.y * param_2.z)), (((_e66.z * param_2.x) + (_e79.z * param_2.y)) + (_e96.z * param_2.z)), (((_e66.w * param_2.x) + (_e79.w * param_2.y)) + (_e96.w * param_2.z)));
-}
-
-fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
-    var phi_290_: lt_bvh_traverse_Tree;
-    var phi_291_: bool;
-    var phi_292_: lt_bvh_traverse_Tree;
-    var phi_293_: bool;
-    var phi_298_: lt_bvh_traverse_Tree;
-
-    if (param_3.x < param_4) {
-        if (param_3.y < param_5) {
-            phi_290_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
-            phi_291_ = false;
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_197_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_198_ = false;
         } else {
-            phi_290_ = lt_bvh_traverse_Tree();
-            phi_291_ = true;
+            phi_197_ = lt_bvh_traverse_Tree();
+            phi_198_ = true;
         }
-        let _e74 = phi_290_;
-        let _e76 = phi_291_;
-        phi_292_ = _e74;
-        phi_293_ = _e76;
+        let _e74 = phi_197_;
+        let _e76 = phi_198_;
+        phi_199_ = _e74;
+        phi_200_ = _e76;
     } else {
-        phi_292_ = lt_bvh_traverse_Tree();
-        phi_293_ = true;
+        phi_199_ = lt_bvh_traverse_Tree();
+        phi_200_ = true;
     }
-    let _e78 = phi_292_;
-    let _e80 = phi_293_;
+    let _e78 = phi_199_;
+    let _e80 = phi_200_;
     if _e80 {
-        phi_298_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_205_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_298_ = _e78;
+        phi_205_ = _e78;
     }
-    let _e85 = phi_298_;
+    let _e85 = phi_205_;
     return lt_bvh_traverse_Tree(_e85.root, _e85.first_primitive);
 }
 
-fn lt_shaders_shade_unit(param_6: f32) -> f32 {
-    var phi_312_: f32;
-    var phi_313_: f32;
+fn _lt_bvh_ray_Ray_new(param_3: vec3<f32>, param_4: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_3, 0f, param_4, 300000000000000000000000000000000000000f);
+}
 
-    if (param_6 > 0f) {
-        if (param_6 < 1f) {
-            phi_312_ = param_6;
-        } else {
-            phi_312_ = 1f;
-        }
-        let _e65 = phi_312_;
-        phi_313_ = _e65;
+fn core_intrinsics_maximum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_224_: bool;
+    var phi_228_: f32;
+
+    if (param_5 != param_5) {
+        phi_224_ = true;
     } else {
-        phi_313_ = 0f;
-    }
-    let _e67 = phi_313_;
-    return _e67;
-}
-
-fn lt_shaders_shade_sqrt(param_7: f32) -> f32 {
-    return sqrt(param_7);
-}
-
-fn lt_shaders_shade_pack_bytes(param_8: vec3<f32>) -> u32 {
-    let _e64 = ((param_8.x * 255f) + 0.5f);
-    let _e74 = ((param_8.y * 255f) + 0.5f);
-    let _e87 = ((param_8.z * 255f) + 0.5f);
-    return ((select(select(u32(_e64), 0u, (_e64 < bitcast<f32>(0u))), 4294967295u, (_e64 > bitcast<f32>(1333788671u))) | (select(select(u32(_e74), 0u, (_e74 < bitcast<f32>(0u))), 4294967295u, (_e74 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e87), 0u, (_e87 < bitcast<f32>(0u))), 4294967295u, (_e87 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i)));
-}
-
-fn _lt_bvh_ray_Ray_new(param_9: vec3<f32>, param_10: vec3<f32>) -> lt_bvh_Ray {
-    return lt_bvh_Ray(param_9, 0f, param_10, 300000000000000000000000000000000000000f);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_11: f32, param_12: f32) -> f32 {
-    var phi_368_: bool;
-    var phi_372_: f32;
-
-    if (param_11 != param_11) {
-        phi_368_ = true;
-    } else {
-        let _e64 = (param_12 >= param_11);
+        let _e64 = (param_6 >= param_5);
         if _e64 {
         }
-        phi_368_ = _e64;
+        phi_224_ = _e64;
     }
-    let _e66 = phi_368_;
+    let _e66 = phi_224_;
     if _e66 {
-        phi_372_ = param_12;
+        phi_228_ = param_6;
     } else {
-        phi_372_ = param_11;
+        phi_228_ = param_5;
     }
-    let _e68 = phi_372_;
+    let _e68 = phi_228_;
     return _e68;
 }
 
-fn core_intrinsics_minimum_number_nsz_f32_(param_13: f32, param_14: f32) -> f32 {
-    var phi_384_: bool;
-    var phi_388_: f32;
+fn core_intrinsics_minimum_number_nsz_f32_(param_7: f32, param_8: f32) -> f32 {
+    var phi_240_: bool;
+    var phi_244_: f32;
 
-    if (param_13 != param_13) {
-        phi_384_ = true;
+    if (param_7 != param_7) {
+        phi_240_ = true;
     } else {
-        let _e64 = (param_14 <= param_13);
+        let _e64 = (param_8 <= param_7);
         if _e64 {
         }
-        phi_384_ = _e64;
+        phi_240_ = _e64;
     }
-    let _e66 = phi_384_;
+    let _e66 = phi_240_;
     if _e66 {
-        phi_388_ = param_14;
+        phi_244_ = param_8;
     } else {
-        phi_388_ = param_13;
+        phi_244_ = param_7;
     }
-    let _e68 = phi_388_;
+    let _e68 = phi_244_;
     return _e68;
 }
 
-fn lt_shaders_surface_barycentric_weights(param_15: f32, param_16: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_15) - param_16), param_15, param_16);
-}
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {
+    var phi_252_: f32;
 
-fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_17: f32, param_18: f32) -> f32 {
-    var phi_402_: f32;
-
-    if (param_17 > param_18) {
-        phi_402_ = param_17;
+    if (param_9 > param_10) {
+        phi_252_ = param_9;
     } else {
-        phi_402_ = param_18;
+        phi_252_ = param_10;
     }
-    let _e65 = phi_402_;
+    let _e65 = phi_252_;
     return _e65;
 }
 
-fn lt_shaders_camera_facing(param_19: vec3<f32>, param_20: vec3<f32>) -> vec3<f32> {
-    var phi_422_: vec3<f32>;
-
-    if ((((param_19.x * param_20.x) + (param_19.y * param_20.y)) + (param_19.z * param_20.z)) < 0f) {
-        phi_422_ = -(param_19);
-    } else {
-        phi_422_ = param_19;
-    }
-    let _e77 = phi_422_;
-    return _e77;
-}
-
-fn lt_shaders_surface_plain_color(param_21: ptr<function, abi_Material>, param_22: ptr<function, array<abi_Vertex, 3>>, param_23: vec3<f32>) -> vec3<f32> {
-    let _e65 = (*param_21).base_color;
-    let _e69 = lt_shaders_surface_vertex_color(param_22, param_23);
-    return vec3<f32>((_e65.x * _e69.x), (_e65.y * _e69.y), (_e65.z * _e69.z));
-}
-
-fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_24: vec3<f32>) -> vec3<f32> {
+fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_11: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(1f, 1f, 1f);
 }
 
-fn lt_shaders_surface_octahedral_decode(param_25: u32) -> vec3<f32> {
-    var phi_464_: f32;
-    var phi_471_: f32;
-    var phi_478_: f32;
-
-    let _e69 = (f32((bitcast<i32>((param_25 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e75 = (f32((bitcast<i32>(param_25) >> bitcast<u32>(16i))) * (1f / 32767f));
-    let _e79 = ((1f - abs(_e69)) - abs(_e75));
-    if (_e79 < 0f) {
-        phi_464_ = -(_e79);
-    } else {
-        phi_464_ = 0f;
-    }
-    let _e83 = phi_464_;
-    if (_e69 < 0f) {
-        phi_471_ = (_e69 + _e83);
-    } else {
-        phi_471_ = (_e69 - _e83);
-    }
-    let _e88 = phi_471_;
-    if (_e75 < 0f) {
-        phi_478_ = (_e75 + _e83);
-    } else {
-        phi_478_ = (_e75 - _e83);
-    }
-    let _e93 = phi_478_;
-    let _e100 = (1f / sqrt((((_e88 * _e88) + (_e93 * _e93)) + (_e79 * _e79))));
-    return vec3<f32>((_e88 * _e100), (_e93 * _e100), (_e79 * _e100));
-}
-
-fn lt_shaders_shade_pack_albedo(param_26: vec3<f32>) -> u32 {
-    let _e63 = lt_shaders_shade_unit(param_26.x);
-    let _e64 = lt_shaders_shade_sqrt(_e63);
-    let _e66 = lt_shaders_shade_unit(param_26.y);
-    let _e67 = lt_shaders_shade_sqrt(_e66);
-    let _e69 = lt_shaders_shade_unit(param_26.z);
-    let _e70 = lt_shaders_shade_sqrt(_e69);
-    let _e72 = lt_shaders_shade_pack_bytes(vec3<f32>(_e64, _e67, _e70));
-    return _e72;
-}
-
 fn function_() {
-    var local: array<abi_Vertex, 3>;
-    var local_1: abi_Material;
-    var local_2: lt_bvh_traverse_Stack;
-    var local_3: lt_bvh_traverse_Stack;
-    var phi_650_: bool;
-    var phi_651_: bool;
-    var phi_652_: bool;
-    var phi_656_: bool;
-    var phi_657_: bool;
-    var phi_658_: bool;
-    var phi_659_: bool;
-    var phi_660_: bool;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_663_: bool;
-    var phi_664_: bool;
-    var phi_665_: bool;
-    var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_668_: bool;
-    var phi_669_: bool;
-    var phi_670_: bool;
-    var phi_671_: bool;
-    var phi_672_: bool;
-    var phi_673_: bool;
-    var phi_677_: bool;
-    var phi_681_: bool;
-    var phi_756_: f32;
-    var phi_763_: f32;
-    var phi_771_: f32;
-    var phi_778_: f32;
-    var phi_786_: f32;
-    var phi_793_: f32;
-    var phi_818_: f32;
-    var phi_823_: f32;
-    var phi_828_: f32;
-    var phi_850_: u32;
-    var phi_855_: u32;
-    var phi_860_: u32;
-    var phi_974_: bool;
-    var phi_975_: bool;
-    var phi_1006_: u32;
-    var phi_1008_: u32;
-    var phi_1011_: lt_bvh_Hit;
-    var phi_1096_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1123_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1150_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1156_: u32;
-    var phi_1159_: u32;
-    var phi_1173_: u32;
-    var phi_1183_: u32;
-    var phi_1193_: u32;
-    var phi_1211_: u32;
-    var phi_1221_: u32;
-    var phi_1231_: u32;
-    var phi_1267_: u32;
-    var phi_1280_: u32;
-    var phi_1285_: u32;
-    var phi_1286_: u32;
-    var phi_1287_: u32;
-    var phi_1157_: u32;
-    var phi_1160_: u32;
+    var local: lt_bvh_traverse_Stack;
+    var local_1: lt_bvh_traverse_Stack;
+    var phi_400_: bool;
+    var phi_401_: bool;
+    var phi_402_: bool;
+    var phi_406_: bool;
+    var phi_407_: bool;
+    var phi_408_: bool;
+    var phi_409_: bool;
+    var phi_410_: bool;
+    var phi_411_: bool;
+    var phi_412_: bool;
+    var phi_413_: bool;
+    var phi_414_: bool;
+    var phi_415_: bool;
+    var phi_416_: bool;
+    var phi_417_: bool;
+    var phi_418_: bool;
+    var phi_419_: bool;
+    var phi_420_: bool;
+    var phi_421_: bool;
+    var phi_422_: bool;
+    var phi_423_: bool;
+    var phi_427_: bool;
+    var phi_431_: bool;
+    var phi_506_: f32;
+    var phi_513_: f32;
+    var phi_521_: f32;
+    var phi_528_: f32;
+    var phi_536_: f32;
+    var phi_543_: f32;
+    var phi_568_: f32;
+    var phi_573_: f32;
+    var phi_578_: f32;
+    var phi_600_: u32;
+    var phi_605_: u32;
+    var phi_610_: u32;
+    var phi_724_: bool;
+    var phi_725_: bool;
+    var phi_756_: u32;
+    var phi_758_: u32;
+    var phi_761_: lt_bvh_Hit;
+    var phi_846_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_873_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_900_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_906_: u32;
+    var phi_909_: u32;
+    var phi_923_: u32;
+    var phi_933_: u32;
+    var phi_943_: u32;
+    var phi_961_: u32;
+    var phi_971_: u32;
+    var phi_981_: u32;
+    var phi_1017_: u32;
+    var phi_1030_: u32;
+    var phi_1035_: u32;
+    var phi_1036_: u32;
+    var phi_1037_: u32;
+    var phi_907_: u32;
+    var phi_910_: u32;
+    var local_2: u32;
+    var local_3: u32;
     var local_4: u32;
+    var phi_1095_: u32;
+    var phi_1098_: lt_bvh_Hit;
+    var phi_1153_: f32;
+    var phi_1158_: f32;
+    var phi_1163_: f32;
+    var phi_1171_: f32;
+    var phi_1176_: f32;
+    var phi_1181_: f32;
+    var phi_1337_: bool;
+    var phi_1338_: bool;
+    var phi_1339_: bool;
+    var phi_1343_: bool;
+    var phi_1344_: bool;
+    var phi_1345_: bool;
+    var phi_1346_: bool;
+    var phi_1347_: bool;
+    var phi_1348_: bool;
+    var phi_1349_: bool;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1352_: bool;
+    var phi_1353_: bool;
+    var phi_1354_: bool;
+    var phi_1355_: bool;
+    var phi_1356_: bool;
+    var phi_1357_: bool;
+    var phi_1358_: bool;
+    var phi_1359_: bool;
+    var phi_1360_: bool;
+    var phi_1364_: bool;
+    var phi_1368_: bool;
+    var phi_1438_: f32;
+    var phi_1445_: f32;
+    var phi_1452_: f32;
+    var phi_1459_: f32;
+    var phi_1466_: f32;
+    var phi_1473_: f32;
+    var phi_1490_: f32;
+    var phi_1495_: f32;
+    var phi_1500_: f32;
+    var phi_1528_: bool;
+    var phi_1529_: bool;
+    var phi_1537_: u32;
+    var phi_1538_: u32;
+    var phi_1549_: vec3<f32>;
+    var phi_1550_: vec3<f32>;
+    var phi_1563_: u32;
+    var phi_1568_: u32;
+    var phi_1573_: u32;
+    var phi_1687_: bool;
+    var phi_1688_: bool;
+    var phi_1719_: u32;
+    var phi_1721_: lt_bvh_Hit;
+    var phi_1724_: u32;
+    var phi_1805_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1832_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1859_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1865_: u32;
+    var phi_1868_: u32;
+    var phi_1882_: u32;
+    var phi_1892_: u32;
+    var phi_1902_: u32;
+    var phi_1920_: u32;
+    var phi_1930_: u32;
+    var phi_1940_: u32;
+    var phi_1976_: u32;
+    var phi_1989_: u32;
+    var phi_1994_: u32;
+    var phi_1995_: u32;
+    var phi_1996_: u32;
+    var phi_1866_: u32;
+    var phi_1869_: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_1345_: u32;
-    var phi_1348_: lt_bvh_Hit;
-    var phi_1403_: f32;
-    var phi_1408_: f32;
-    var phi_1413_: f32;
-    var phi_1421_: f32;
-    var phi_1426_: f32;
-    var phi_1431_: f32;
-    var phi_1586_: bool;
-    var phi_1587_: bool;
-    var phi_1588_: bool;
-    var phi_1592_: bool;
-    var phi_1593_: bool;
-    var phi_1594_: bool;
-    var phi_1595_: bool;
-    var phi_1596_: bool;
-    var phi_1597_: bool;
-    var phi_1598_: bool;
-    var phi_1599_: bool;
-    var phi_1600_: bool;
-    var phi_1601_: bool;
-    var phi_1602_: bool;
-    var phi_1603_: bool;
-    var phi_1604_: bool;
-    var phi_1605_: bool;
-    var phi_1606_: bool;
-    var phi_1607_: bool;
-    var phi_1608_: bool;
-    var phi_1609_: bool;
-    var phi_1613_: bool;
-    var phi_1617_: bool;
-    var phi_1687_: f32;
-    var phi_1694_: f32;
-    var phi_1701_: f32;
-    var phi_1708_: f32;
-    var phi_1715_: f32;
-    var phi_1722_: f32;
-    var phi_1739_: f32;
-    var phi_1744_: f32;
-    var phi_1749_: f32;
-    var phi_1777_: bool;
-    var phi_1778_: bool;
-    var phi_1786_: u32;
-    var phi_1787_: u32;
-    var phi_1798_: vec3<f32>;
-    var phi_1799_: vec3<f32>;
-    var phi_1812_: u32;
-    var phi_1817_: u32;
-    var phi_1822_: u32;
-    var phi_1936_: bool;
-    var phi_1937_: bool;
-    var phi_1968_: u32;
-    var phi_1970_: lt_bvh_Hit;
-    var phi_1973_: u32;
-    var phi_2054_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2081_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2108_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2114_: u32;
-    var phi_2117_: u32;
-    var phi_2131_: u32;
-    var phi_2141_: u32;
-    var phi_2151_: u32;
-    var phi_2169_: u32;
-    var phi_2179_: u32;
-    var phi_2189_: u32;
-    var phi_2225_: u32;
-    var phi_2238_: u32;
-    var phi_2243_: u32;
-    var phi_2244_: u32;
-    var phi_2245_: u32;
-    var phi_2115_: u32;
-    var phi_2118_: u32;
     var local_7: u32;
-    var local_8: u32;
-    var local_9: u32;
-    var phi_2303_: lt_bvh_Hit;
-    var phi_2306_: u32;
-    var phi_2350_: vec3<f32>;
-    var phi_2351_: vec3<f32>;
-    var phi_2382_: vec3<f32>;
-    var phi_2383_: vec3<f32>;
-    var phi_2414_: vec3<f32>;
-    var phi_2415_: vec3<f32>;
-    var phi_2435_: bool;
-    var phi_2436_: bool;
-    var phi_2440_: f32;
-    var phi_2441_: f32;
-    var phi_2442_: f32;
-    var phi_2443_: f32;
-    var phi_2451_: f32;
-    var phi_2461_: bool;
-    var phi_2462_: bool;
-    var phi_2466_: f32;
+    var phi_2054_: lt_bvh_Hit;
+    var phi_2057_: u32;
+    var phi_2101_: vec3<f32>;
+    var phi_2102_: vec3<f32>;
+    var phi_2133_: vec3<f32>;
+    var phi_2134_: vec3<f32>;
+    var phi_2165_: vec3<f32>;
+    var phi_2166_: vec3<f32>;
+    var phi_2186_: bool;
+    var phi_2187_: bool;
+    var phi_2191_: f32;
+    var phi_2192_: f32;
+    var phi_2193_: f32;
+    var phi_2194_: f32;
+    var phi_2202_: f32;
+    var phi_2212_: bool;
+    var phi_2213_: bool;
+    var phi_2217_: f32;
+    var phi_2218_: f32;
+    var phi_2219_: f32;
+    var phi_2220_: f32;
+    var phi_2228_: f32;
+    var phi_2238_: bool;
+    var phi_2239_: bool;
+    var phi_2243_: f32;
+    var phi_2244_: f32;
+    var phi_2245_: f32;
+    var phi_2246_: f32;
+    var phi_2254_: f32;
+    var phi_2269_: f32;
+    var phi_2270_: bool;
+    var phi_2271_: f32;
+    var phi_2272_: bool;
+    var phi_2273_: f32;
+    var phi_2274_: bool;
+    var phi_2292_: f32;
+    var phi_2293_: bool;
+    var phi_2294_: bool;
+    var phi_2295_: f32;
+    var phi_2296_: bool;
+    var phi_2297_: bool;
+    var phi_2301_: bool;
+    var phi_2302_: f32;
+    var phi_2303_: bool;
+    var phi_2337_: f32;
+    var phi_2346_: f32;
+    var phi_2355_: f32;
+    var phi_2364_: f32;
+    var phi_2371_: f32;
+    var phi_2378_: f32;
+    var phi_2391_: f32;
+    var phi_2400_: f32;
+    var phi_2409_: f32;
+    var phi_2418_: f32;
+    var phi_2425_: f32;
+    var phi_2432_: f32;
+    var phi_2449_: f32;
+    var phi_2454_: f32;
+    var phi_2459_: f32;
     var phi_2467_: f32;
-    var phi_2468_: f32;
-    var phi_2469_: f32;
+    var phi_2472_: f32;
     var phi_2477_: f32;
-    var phi_2487_: bool;
-    var phi_2488_: bool;
-    var phi_2492_: f32;
-    var phi_2493_: f32;
+    var phi_2489_: f32;
     var phi_2494_: f32;
-    var phi_2495_: f32;
-    var phi_2503_: f32;
-    var phi_2518_: f32;
+    var phi_2499_: f32;
+    var phi_2504_: f32;
+    var phi_2509_: lt_bvh_triangle_Intersection;
+    var phi_2510_: bool;
+    var phi_2511_: lt_bvh_triangle_Intersection;
+    var phi_2512_: bool;
+    var phi_2516_: lt_bvh_triangle_Intersection;
+    var phi_2517_: bool;
+    var phi_2518_: lt_bvh_triangle_Intersection;
     var phi_2519_: bool;
-    var phi_2520_: f32;
-    var phi_2521_: bool;
-    var phi_2522_: f32;
-    var phi_2523_: bool;
-    var phi_2541_: f32;
-    var phi_2542_: bool;
-    var phi_2543_: bool;
-    var phi_2544_: f32;
-    var phi_2545_: bool;
-    var phi_2546_: bool;
-    var phi_2550_: bool;
-    var phi_2551_: f32;
-    var phi_2552_: bool;
-    var phi_2578_: f32;
-    var phi_2587_: f32;
-    var phi_2596_: f32;
-    var phi_2605_: f32;
-    var phi_2612_: f32;
-    var phi_2619_: f32;
-    var phi_2632_: f32;
-    var phi_2641_: f32;
-    var phi_2650_: f32;
-    var phi_2659_: f32;
-    var phi_2666_: f32;
-    var phi_2673_: f32;
-    var phi_2690_: f32;
-    var phi_2695_: f32;
-    var phi_2700_: f32;
-    var phi_2708_: f32;
-    var phi_2713_: f32;
-    var phi_2718_: f32;
-    var phi_2730_: f32;
-    var phi_2735_: f32;
-    var phi_2740_: f32;
-    var phi_2745_: f32;
-    var phi_2750_: lt_bvh_triangle_Intersection;
-    var phi_2751_: lt_bvh_triangle_Intersection;
-    var phi_2752_: bool;
-    var phi_2756_: lt_bvh_triangle_Intersection;
-    var phi_2794_: bool;
-    var phi_2795_: bool;
-    var phi_2796_: bool;
-    var phi_2797_: bool;
-    var phi_2798_: bool;
-    var phi_2799_: bool;
-    var phi_2803_: bool;
-    var phi_2804_: bool;
-    var phi_2818_: bool;
-    var phi_2826_: lt_bvh_Hit;
-    var phi_2827_: lt_bvh_Hit;
-    var phi_2828_: lt_bvh_Hit;
-    var phi_2829_: lt_bvh_Hit;
-    var phi_2304_: lt_bvh_Hit;
-    var phi_2307_: u32;
-    var phi_2830_: bool;
-    var phi_2869_: bool;
-    var phi_2870_: bool;
-    var phi_2901_: u32;
-    var phi_1971_: lt_bvh_Hit;
-    var phi_1974_: u32;
-    var phi_2902_: lt_bvh_Hit;
-    var phi_2903_: lt_bvh_Hit;
-    var phi_2904_: bool;
-    var phi_2908_: lt_bvh_Hit;
-    var phi_2909_: lt_bvh_Hit;
-    var phi_2910_: lt_bvh_Hit;
-    var phi_2911_: lt_bvh_Hit;
-    var phi_1346_: u32;
-    var phi_1349_: lt_bvh_Hit;
-    var phi_2912_: bool;
-    var phi_2951_: bool;
-    var phi_2952_: bool;
-    var phi_2983_: u32;
-    var phi_1009_: u32;
-    var phi_1012_: lt_bvh_Hit;
-    var phi_2984_: lt_bvh_Hit;
-    var phi_2985_: lt_bvh_Hit;
-    var phi_2986_: bool;
-    var phi_2990_: lt_bvh_Hit;
-    var phi_3179_: f32;
-    var phi_3184_: f32;
-    var phi_3189_: f32;
+    var phi_2520_: bool;
+    var phi_2524_: bool;
+    var phi_2528_: lt_bvh_triangle_Intersection;
+    var phi_2566_: bool;
+    var phi_2567_: bool;
+    var phi_2568_: bool;
+    var phi_2569_: bool;
+    var phi_2570_: bool;
+    var phi_2571_: bool;
+    var phi_2575_: bool;
+    var phi_2576_: bool;
+    var phi_2590_: bool;
+    var phi_2598_: lt_bvh_Hit;
+    var phi_2599_: lt_bvh_Hit;
+    var phi_2600_: lt_bvh_Hit;
+    var phi_2601_: lt_bvh_Hit;
+    var phi_2055_: lt_bvh_Hit;
+    var phi_2058_: u32;
+    var phi_2602_: bool;
+    var phi_2641_: bool;
+    var phi_2642_: bool;
+    var phi_2673_: u32;
+    var phi_1722_: lt_bvh_Hit;
+    var phi_1725_: u32;
+    var phi_2674_: lt_bvh_Hit;
+    var phi_2675_: lt_bvh_Hit;
+    var phi_2676_: bool;
+    var phi_2680_: lt_bvh_Hit;
+    var phi_2681_: lt_bvh_Hit;
+    var phi_2682_: lt_bvh_Hit;
+    var phi_2683_: lt_bvh_Hit;
+    var phi_1096_: u32;
+    var phi_1099_: lt_bvh_Hit;
+    var phi_2684_: bool;
+    var phi_2723_: bool;
+    var phi_2724_: bool;
+    var phi_2755_: u32;
+    var phi_759_: u32;
+    var phi_762_: lt_bvh_Hit;
+    var phi_2756_: lt_bvh_Hit;
+    var phi_2757_: lt_bvh_Hit;
+    var phi_2758_: bool;
+    var phi_2762_: lt_bvh_Hit;
+    var phi_2950_: f32;
+    var phi_2955_: f32;
+    var phi_2960_: f32;
+    var phi_2968_: f32;
+    var phi_2973_: f32;
+    var phi_2978_: f32;
+    var phi_3042_: vec3<f32>;
+    var phi_3163_: u32;
+    var phi_3190_: f32;
     var phi_3197_: f32;
-    var phi_3202_: f32;
-    var phi_3207_: f32;
-    var phi_3343_: u32;
-    var phi_3442_: vec3<f32>;
-    var phi_3443_: vec3<f32>;
-    var phi_3447_: abi_Sample;
+    var phi_3204_: f32;
+    var phi_3239_: f32;
+    var phi_3246_: f32;
+    var phi_3253_: f32;
+    var phi_3291_: f32;
+    var phi_3298_: f32;
+    var phi_3305_: f32;
+    var phi_3391_: vec3<f32>;
+    var phi_3392_: vec3<f32>;
+    var phi_3393_: vec3<f32>;
+    var phi_3402_: f32;
+    var phi_3403_: f32;
+    var phi_3413_: f32;
+    var phi_3414_: f32;
+    var phi_3424_: f32;
+    var phi_3425_: f32;
+    var phi_3460_: abi_Sample;
+    var local_8: lt_bvh_Hit;
+    var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
-    var local_12: lt_bvh_Hit;
-    var local_13: lt_bvh_Hit;
 
-    let _e65 = id_1;
-    let _e69 = arrayLength((&nodes.member));
-    let _e72 = arrayLength((&triangles.member));
-    let _e75 = arrayLength((&vertices.member));
-    let _e84 = arrayLength((&instances.member));
-    let _e87 = p.member.size[0u];
-    let _e89 = p.member.size[1u];
-    let _e90 = lt_shaders_entry_pixel_index(_e65, _e87, _e89);
-    if (bitcast<i32>(_e90.root) != 0i) {
-        let _e96 = p.member.root;
-        let _e100 = p.member.eye;
-        let _e105 = p.member.size[0u];
-        let _e109 = ((((f32(_e65.x) + 0.5f) / f32(_e105)) * 2f) - 1f);
-        let _e114 = p.member.size[1u];
-        let _e118 = (1f - (((f32(_e65.y) + 0.5f) / f32(_e114)) * 2f));
-        let _e120 = p.member.forward;
-        let _e122 = p.member.right;
-        let _e136 = p.member.up;
-        let _e147 = _lt_bvh_ray_Ray_new(_e100, vec3<f32>(((_e120.x + (_e122.x * _e109)) + (_e136.x * _e118)), ((_e120.y + (_e122.y * _e109)) + (_e136.y * _e118)), ((_e120.z + (_e122.z * _e109)) + (_e136.z * _e118))));
-        let _e149 = lt_bvh_Hit(_e147.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e159 = abs(_e147.direction.x);
-        let _e161 = abs(_e147.direction.y);
-        let _e163 = abs(_e147.direction.z);
-        if (abs(_e147.origin.x) < 1000000000000000f) {
-            if (abs(_e147.origin.y) < 1000000000000000f) {
-                if (abs(_e147.origin.z) < 1000000000000000f) {
-                    if (_e159 < 1000000000000000f) {
-                        if (_e161 < 1000000000000000f) {
-                            if (_e163 < 1000000000000000f) {
-                                if (_e159 > 0f) {
-                                    phi_651_ = bool();
-                                    phi_652_ = true;
+    let _e63 = id_1;
+    let _e67 = arrayLength((&nodes.member));
+    let _e70 = arrayLength((&triangles.member));
+    let _e73 = arrayLength((&vertices.member));
+    let _e82 = arrayLength((&instances.member));
+    let _e85 = p.member.size[0u];
+    let _e87 = p.member.size[1u];
+    let _e88 = lt_shaders_entry_pixel_index(_e63, _e85, _e87);
+    if (bitcast<i32>(_e88.root) != 0i) {
+        let _e94 = p.member.root;
+        let _e98 = p.member.eye;
+        let _e103 = p.member.size[0u];
+        let _e107 = ((((f32(_e63.x) + 0.5f) / f32(_e103)) * 2f) - 1f);
+        let _e112 = p.member.size[1u];
+        let _e116 = (1f - (((f32(_e63.y) + 0.5f) / f32(_e112)) * 2f));
+        let _e118 = p.member.forward;
+        let _e120 = p.member.right;
+        let _e134 = p.member.up;
+        let _e145 = _lt_bvh_ray_Ray_new(_e98, vec3<f32>(((_e118.x + (_e120.x * _e107)) + (_e134.x * _e116)), ((_e118.y + (_e120.y * _e107)) + (_e134.y * _e116)), ((_e118.z + (_e120.z * _e107)) + (_e134.z * _e116))));
+        let _e147 = lt_bvh_Hit(_e145.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e157 = abs(_e145.direction.x);
+        let _e159 = abs(_e145.direction.y);
+        let _e161 = abs(_e145.direction.z);
+        if (abs(_e145.origin.x) < 1000000000000000f) {
+            if (abs(_e145.origin.y) < 1000000000000000f) {
+                if (abs(_e145.origin.z) < 1000000000000000f) {
+                    if (_e157 < 1000000000000000f) {
+                        if (_e159 < 1000000000000000f) {
+                            if (_e161 < 1000000000000000f) {
+                                if (_e157 > 0f) {
+                                    phi_401_ = bool();
+                                    phi_402_ = true;
                                 } else {
-                                    let _e171 = (_e161 > 0f);
-                                    if _e171 {
-                                        phi_650_ = bool();
+                                    let _e169 = (_e159 > 0f);
+                                    if _e169 {
+                                        phi_400_ = bool();
                                     } else {
-                                        phi_650_ = (_e163 > 0f);
+                                        phi_400_ = (_e161 > 0f);
                                     }
-                                    let _e174 = phi_650_;
-                                    phi_651_ = _e174;
-                                    phi_652_ = _e171;
+                                    let _e172 = phi_400_;
+                                    phi_401_ = _e172;
+                                    phi_402_ = _e169;
                                 }
-                                let _e176 = phi_651_;
-                                let _e178 = phi_652_;
-                                if _e178 {
-                                    phi_656_ = true;
+                                let _e174 = phi_401_;
+                                let _e176 = phi_402_;
+                                if _e176 {
+                                    phi_406_ = true;
                                 } else {
-                                    phi_656_ = _e176;
+                                    phi_406_ = _e174;
                                 }
-                                let _e180 = phi_656_;
-                                phi_657_ = _e180;
-                                phi_658_ = false;
+                                let _e178 = phi_406_;
+                                phi_407_ = _e178;
+                                phi_408_ = false;
                             } else {
-                                phi_657_ = bool();
-                                phi_658_ = true;
+                                phi_407_ = bool();
+                                phi_408_ = true;
                             }
-                            let _e182 = phi_657_;
-                            let _e184 = phi_658_;
-                            phi_659_ = _e182;
-                            phi_660_ = false;
-                            phi_661_ = _e184;
+                            let _e180 = phi_407_;
+                            let _e182 = phi_408_;
+                            phi_409_ = _e180;
+                            phi_410_ = false;
+                            phi_411_ = _e182;
                         } else {
-                            phi_659_ = bool();
-                            phi_660_ = true;
-                            phi_661_ = false;
+                            phi_409_ = bool();
+                            phi_410_ = true;
+                            phi_411_ = false;
                         }
-                        let _e186 = phi_659_;
-                        let _e188 = phi_660_;
-                        let _e190 = phi_661_;
-                        phi_662_ = _e186;
-                        phi_663_ = _e188;
-                        phi_664_ = _e190;
+                        let _e184 = phi_409_;
+                        let _e186 = phi_410_;
+                        let _e188 = phi_411_;
+                        phi_412_ = _e184;
+                        phi_413_ = _e186;
+                        phi_414_ = _e188;
                     } else {
-                        phi_662_ = bool();
-                        phi_663_ = true;
-                        phi_664_ = false;
+                        phi_412_ = bool();
+                        phi_413_ = true;
+                        phi_414_ = false;
                     }
-                    let _e192 = phi_662_;
-                    let _e194 = phi_663_;
-                    let _e196 = phi_664_;
-                    phi_665_ = _e192;
-                    phi_666_ = _e194;
-                    phi_667_ = _e196;
+                    let _e190 = phi_412_;
+                    let _e192 = phi_413_;
+                    let _e194 = phi_414_;
+                    phi_415_ = _e190;
+                    phi_416_ = _e192;
+                    phi_417_ = _e194;
                 } else {
-                    phi_665_ = bool();
-                    phi_666_ = true;
-                    phi_667_ = false;
+                    phi_415_ = bool();
+                    phi_416_ = true;
+                    phi_417_ = false;
                 }
-                let _e198 = phi_665_;
-                let _e200 = phi_666_;
-                let _e202 = phi_667_;
-                phi_668_ = _e198;
-                phi_669_ = _e200;
-                phi_670_ = _e202;
+                let _e196 = phi_415_;
+                let _e198 = phi_416_;
+                let _e200 = phi_417_;
+                phi_418_ = _e196;
+                phi_419_ = _e198;
+                phi_420_ = _e200;
             } else {
-                phi_668_ = bool();
-                phi_669_ = true;
-                phi_670_ = false;
+                phi_418_ = bool();
+                phi_419_ = true;
+                phi_420_ = false;
             }
-            let _e204 = phi_668_;
-            let _e206 = phi_669_;
-            let _e208 = phi_670_;
-            phi_671_ = _e204;
-            phi_672_ = _e206;
-            phi_673_ = _e208;
+            let _e202 = phi_418_;
+            let _e204 = phi_419_;
+            let _e206 = phi_420_;
+            phi_421_ = _e202;
+            phi_422_ = _e204;
+            phi_423_ = _e206;
         } else {
-            phi_671_ = bool();
-            phi_672_ = true;
-            phi_673_ = false;
+            phi_421_ = bool();
+            phi_422_ = true;
+            phi_423_ = false;
         }
-        let _e210 = phi_671_;
-        let _e212 = phi_672_;
-        let _e214 = phi_673_;
-        if _e212 {
-            phi_677_ = true;
+        let _e208 = phi_421_;
+        let _e210 = phi_422_;
+        let _e212 = phi_423_;
+        if _e210 {
+            phi_427_ = true;
         } else {
-            phi_677_ = _e214;
+            phi_427_ = _e212;
         }
-        let _e216 = phi_677_;
+        let _e214 = phi_427_;
+        if _e214 {
+            phi_431_ = false;
+        } else {
+            phi_431_ = _e208;
+        }
+        let _e216 = phi_431_;
         if _e216 {
-            phi_681_ = false;
-        } else {
-            phi_681_ = _e210;
-        }
-        let _e218 = phi_681_;
-        if _e218 {
-            let _e219 = (_e96 >= _e69);
-            if _e219 {
-                phi_2984_ = lt_bvh_Hit();
+            let _e217 = (_e94 >= _e67);
+            if _e217 {
+                phi_2756_ = lt_bvh_Hit();
             } else {
-                if (_e96 < _e69) {
+                if (_e94 < _e67) {
                 } else {
                     return;
                 }
-                let _e225 = nodes.member[(0u + _e96)].frame[0u];
-                let _e229 = nodes.member[(0u + _e96)].frame[1u];
-                let _e233 = nodes.member[(0u + _e96)].frame[2u];
-                let _e237 = nodes.member[(0u + _e96)].frame[0u];
-                let _e241 = nodes.member[(0u + _e96)].frame[1u];
-                let _e245 = nodes.member[(0u + _e96)].frame[2u];
-                let _e249 = nodes.member[(0u + _e96)].frame[3u];
-                let _e287 = core_intrinsics_maximum_number_nsz_f32_(abs(_e147.direction.x), abs(_e147.direction.y));
-                let _e288 = core_intrinsics_maximum_number_nsz_f32_(_e287, abs(_e147.direction.z));
-                let _e289 = (_e288 * 0.0000000000009094947f);
-                if (abs(_e147.direction.x) < _e289) {
-                    phi_756_ = _e289;
+                let _e223 = nodes.member[(0u + _e94)].frame[0u];
+                let _e227 = nodes.member[(0u + _e94)].frame[1u];
+                let _e231 = nodes.member[(0u + _e94)].frame[2u];
+                let _e235 = nodes.member[(0u + _e94)].frame[0u];
+                let _e239 = nodes.member[(0u + _e94)].frame[1u];
+                let _e243 = nodes.member[(0u + _e94)].frame[2u];
+                let _e247 = nodes.member[(0u + _e94)].frame[3u];
+                let _e285 = core_intrinsics_maximum_number_nsz_f32_(abs(_e145.direction.x), abs(_e145.direction.y));
+                let _e286 = core_intrinsics_maximum_number_nsz_f32_(_e285, abs(_e145.direction.z));
+                let _e287 = (_e286 * 0.0000000000009094947f);
+                if (abs(_e145.direction.x) < _e287) {
+                    phi_506_ = _e287;
                 } else {
-                    phi_756_ = abs(_e147.direction.x);
+                    phi_506_ = abs(_e145.direction.x);
                 }
-                let _e296 = phi_756_;
-                if (_e147.direction.x < 0f) {
-                    phi_763_ = (-1f / _e296);
+                let _e294 = phi_506_;
+                if (_e145.direction.x < 0f) {
+                    phi_513_ = (-1f / _e294);
                 } else {
-                    phi_763_ = (1f / _e296);
+                    phi_513_ = (1f / _e294);
                 }
-                let _e301 = phi_763_;
-                if (abs(_e147.direction.y) < _e289) {
-                    phi_771_ = _e289;
+                let _e299 = phi_513_;
+                if (abs(_e145.direction.y) < _e287) {
+                    phi_521_ = _e287;
                 } else {
-                    phi_771_ = abs(_e147.direction.y);
+                    phi_521_ = abs(_e145.direction.y);
                 }
-                let _e308 = phi_771_;
-                if (_e147.direction.y < 0f) {
-                    phi_778_ = (-1f / _e308);
+                let _e306 = phi_521_;
+                if (_e145.direction.y < 0f) {
+                    phi_528_ = (-1f / _e306);
                 } else {
-                    phi_778_ = (1f / _e308);
+                    phi_528_ = (1f / _e306);
                 }
-                let _e313 = phi_778_;
-                if (abs(_e147.direction.z) < _e289) {
-                    phi_786_ = _e289;
+                let _e311 = phi_528_;
+                if (abs(_e145.direction.z) < _e287) {
+                    phi_536_ = _e287;
                 } else {
-                    phi_786_ = abs(_e147.direction.z);
+                    phi_536_ = abs(_e145.direction.z);
                 }
-                let _e320 = phi_786_;
-                if (_e147.direction.z < 0f) {
-                    phi_793_ = (-1f / _e320);
+                let _e318 = phi_536_;
+                if (_e145.direction.z < 0f) {
+                    phi_543_ = (-1f / _e318);
                 } else {
-                    phi_793_ = (1f / _e320);
+                    phi_543_ = (1f / _e318);
                 }
-                let _e325 = phi_793_;
-                let _e333 = abs((bitcast<f32>(_e225) - _e147.origin.x));
-                let _e334 = abs((bitcast<f32>(_e229) - _e147.origin.y));
-                let _e335 = abs((bitcast<f32>(_e233) - _e147.origin.z));
-                let _e343 = abs(((bitcast<f32>(_e237) + (bitcast<f32>((((_e249 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147.origin.x));
-                let _e344 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e249 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147.origin.y));
-                let _e345 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e249 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147.origin.z));
+                let _e323 = phi_543_;
+                let _e331 = abs((bitcast<f32>(_e223) - _e145.origin.x));
+                let _e332 = abs((bitcast<f32>(_e227) - _e145.origin.y));
+                let _e333 = abs((bitcast<f32>(_e231) - _e145.origin.z));
+                let _e341 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e247 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.x));
+                let _e342 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e247 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.y));
+                let _e343 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e247 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.z));
+                if (_e331 > _e341) {
+                    phi_568_ = _e331;
+                } else {
+                    phi_568_ = _e341;
+                }
+                let _e346 = phi_568_;
+                if (_e332 > _e342) {
+                    phi_573_ = _e332;
+                } else {
+                    phi_573_ = _e342;
+                }
+                let _e349 = phi_573_;
                 if (_e333 > _e343) {
-                    phi_818_ = _e333;
+                    phi_578_ = _e333;
                 } else {
-                    phi_818_ = _e343;
+                    phi_578_ = _e343;
                 }
-                let _e348 = phi_818_;
-                if (_e334 > _e344) {
-                    phi_823_ = _e334;
+                let _e352 = phi_578_;
+                let _e353 = core_intrinsics_maximum_number_nsz_f32_(_e346, _e349);
+                let _e354 = core_intrinsics_maximum_number_nsz_f32_(_e353, _e352);
+                let _e359 = (_e354 * 0.0000019073486f);
+                let _e360 = (abs(_e299) * _e359);
+                let _e361 = (abs(_e311) * _e359);
+                let _e362 = (abs(_e323) * _e359);
+                let _e366 = (_e354 * 0.0000009536743f);
+                let _e367 = (abs(_e299) * _e366);
+                let _e368 = (abs(_e311) * _e366);
+                let _e369 = (abs(_e323) * _e366);
+                if (_e299 < 0f) {
+                    phi_600_ = 0u;
                 } else {
-                    phi_823_ = _e344;
+                    phi_600_ = 1u;
                 }
-                let _e351 = phi_823_;
-                if (_e335 > _e345) {
-                    phi_828_ = _e335;
+                let _e372 = phi_600_;
+                if (_e311 < 0f) {
+                    phi_605_ = 0u;
                 } else {
-                    phi_828_ = _e345;
+                    phi_605_ = 2u;
                 }
-                let _e354 = phi_828_;
-                let _e355 = core_intrinsics_maximum_number_nsz_f32_(_e348, _e351);
-                let _e356 = core_intrinsics_maximum_number_nsz_f32_(_e355, _e354);
-                let _e361 = (_e356 * 0.0000019073486f);
-                let _e362 = (abs(_e301) * _e361);
-                let _e363 = (abs(_e313) * _e361);
-                let _e364 = (abs(_e325) * _e361);
-                let _e368 = (_e356 * 0.0000009536743f);
-                let _e369 = (abs(_e301) * _e368);
-                let _e370 = (abs(_e313) * _e368);
-                let _e371 = (abs(_e325) * _e368);
-                if (_e301 < 0f) {
-                    phi_850_ = 0u;
+                let _e375 = phi_605_;
+                if (_e323 < 0f) {
+                    phi_610_ = 0u;
                 } else {
-                    phi_850_ = 1u;
+                    phi_610_ = 4u;
                 }
-                let _e374 = phi_850_;
-                if (_e313 < 0f) {
-                    phi_855_ = 0u;
-                } else {
-                    phi_855_ = 2u;
-                }
-                let _e377 = phi_855_;
-                if (_e325 < 0f) {
-                    phi_860_ = 0u;
-                } else {
-                    phi_860_ = 4u;
-                }
-                let _e380 = phi_860_;
-                let _e382 = ((_e374 | _e377) | _e380);
-                let _e383 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e96, 2147483648u);
-                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e383.first[0], _e383.first[1], _e383.first[2], _e383.first[3], _e383.first[4], _e383.first[5], _e383.first[6], _e383.first[7], _e383.first[8], _e383.first[9], _e383.first[10], _e383.first[11], _e383.first[12], _e383.first[13], _e383.first[14], _e383.first[15], _e383.first[16], _e383.first[17], _e383.first[18], _e383.first[19], _e383.first[20], _e383.first[21], _e383.first[22], _e383.first[23], _e383.first[24], _e383.first[25], _e383.first[26], _e383.first[27], _e383.first[28], _e383.first[29], _e383.first[30], _e383.first[31]), array<u32, 32>(_e383.mask[0], _e383.mask[1], _e383.mask[2], _e383.mask[3], _e383.mask[4], _e383.mask[5], _e383.mask[6], _e383.mask[7], _e383.mask[8], _e383.mask[9], _e383.mask[10], _e383.mask[11], _e383.mask[12], _e383.mask[13], _e383.mask[14], _e383.mask[15], _e383.mask[16], _e383.mask[17], _e383.mask[18], _e383.mask[19], _e383.mask[20], _e383.mask[21], _e383.mask[22], _e383.mask[23], _e383.mask[24], _e383.mask[25], _e383.mask[26], _e383.mask[27], _e383.mask[28], _e383.mask[29], _e383.mask[30], _e383.mask[31]), _e383.len, _e383.group, _e383.group_mask);
-                let _e457 = local_3.group_mask;
-                if ((_e457 & 4278190080u) == 0u) {
-                    let _e461 = local_3.len;
-                    if (_e461 == 0u) {
-                        phi_974_ = false;
+                let _e378 = phi_610_;
+                let _e380 = ((_e372 | _e375) | _e378);
+                let _e381 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e94, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e381.first[0], _e381.first[1], _e381.first[2], _e381.first[3], _e381.first[4], _e381.first[5], _e381.first[6], _e381.first[7], _e381.first[8], _e381.first[9], _e381.first[10], _e381.first[11], _e381.first[12], _e381.first[13], _e381.first[14], _e381.first[15], _e381.first[16], _e381.first[17], _e381.first[18], _e381.first[19], _e381.first[20], _e381.first[21], _e381.first[22], _e381.first[23], _e381.first[24], _e381.first[25], _e381.first[26], _e381.first[27], _e381.first[28], _e381.first[29], _e381.first[30], _e381.first[31]), array<u32, 32>(_e381.mask[0], _e381.mask[1], _e381.mask[2], _e381.mask[3], _e381.mask[4], _e381.mask[5], _e381.mask[6], _e381.mask[7], _e381.mask[8], _e381.mask[9], _e381.mask[10], _e381.mask[11], _e381.mask[12], _e381.mask[13], _e381.mask[14], _e381.mask[15], _e381.mask[16], _e381.mask[17], _e381.mask[18], _e381.mask[19], _e381.mask[20], _e381.mask[21], _e381.mask[22], _e381.mask[23], _e381.mask[24], _e381.mask[25], _e381.mask[26], _e381.mask[27], _e381.mask[28], _e381.mask[29], _e381.mask[30], _e381.mask[31]), _e381.len, _e381.group, _e381.group_mask);
+                let _e455 = local_1.group_mask;
+                if ((_e455 & 4278190080u) == 0u) {
+                    let _e459 = local_1.len;
+                    if (_e459 == 0u) {
+                        phi_724_ = false;
                     } else {
-                        let _e465 = local_3.len;
-                        local_3.len = (_e465 - 1u);
-                        let _e468 = local_3.len;
-                        if (_e468 < 32u) {
+                        let _e463 = local_1.len;
+                        local_1.len = (_e463 - 1u);
+                        let _e466 = local_1.len;
+                        if (_e466 < 32u) {
                         } else {
                             return;
                         }
-                        let _e473 = local_3.first[(0u + _e468)];
-                        local_3.group = _e473;
-                        let _e476 = local_3.len;
-                        if (_e476 < 32u) {
+                        let _e471 = local_1.first[(0u + _e466)];
+                        local_1.group = _e471;
+                        let _e474 = local_1.len;
+                        if (_e474 < 32u) {
                         } else {
                             return;
                         }
-                        let _e481 = local_3.mask[(0u + _e476)];
-                        local_3.group_mask = _e481;
-                        phi_974_ = true;
+                        let _e479 = local_1.mask[(0u + _e474)];
+                        local_1.group_mask = _e479;
+                        phi_724_ = true;
                     }
-                    let _e484 = phi_974_;
-                    phi_975_ = _e484;
+                    let _e482 = phi_724_;
+                    phi_725_ = _e482;
                 } else {
-                    phi_975_ = true;
+                    phi_725_ = true;
                 }
-                let _e486 = phi_975_;
-                if _e486 {
-                    let _e488 = local_3.group_mask;
-                    let _e494 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e488)), 32u, (_e488 == 0u)));
-                    let _e498 = local_3.group_mask;
-                    let _e512 = local_3.group_mask;
-                    local_3.group_mask = (_e512 & ~((1u << bitcast<u32>((_e494 & 31u)))));
-                    let _e515 = local_3.group;
-                    phi_1006_ = (_e515 + countOneBits(((_e498 & ~((4294967295u << bitcast<u32>((((_e494 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e484 = phi_725_;
+                if _e484 {
+                    let _e486 = local_1.group_mask;
+                    let _e492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e486)), 32u, (_e486 == 0u)));
+                    let _e496 = local_1.group_mask;
+                    let _e510 = local_1.group_mask;
+                    local_1.group_mask = (_e510 & ~((1u << bitcast<u32>((_e492 & 31u)))));
+                    let _e513 = local_1.group;
+                    phi_756_ = (_e513 + countOneBits(((_e496 & ~((4294967295u << bitcast<u32>((((_e492 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1006_ = 4294967295u;
+                    phi_756_ = 4294967295u;
                 }
-                let _e518 = phi_1006_;
-                phi_1008_ = _e518;
-                phi_1011_ = _e149;
+                let _e516 = phi_756_;
+                phi_758_ = _e516;
+                phi_761_ = _e147;
                 loop {
-                    let _e520 = phi_1008_;
-                    let _e522 = phi_1011_;
-                    local_13 = _e522;
-                    let _e523 = (_e520 != 4294967295u);
-                    if _e523 {
-                        if (_e520 < _e69) {
+                    let _e518 = phi_758_;
+                    let _e520 = phi_761_;
+                    local_11 = _e520;
+                    let _e521 = (_e518 != 4294967295u);
+                    if _e521 {
+                        if (_e518 < _e67) {
                         } else {
                             return;
                         }
-                        let _e531 = nodes.member[(0u + _e520)].frame[3u];
-                        let _e556 = (bitcast<f32>((((_e531 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e301);
-                        let _e557 = (bitcast<f32>((((_e531 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
-                        let _e558 = (bitcast<f32>((((_e531 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
-                        let _e561 = nodes.member[(0u + _e520)].frame[0u];
-                        let _e565 = nodes.member[(0u + _e520)].frame[1u];
-                        let _e569 = nodes.member[(0u + _e520)].frame[2u];
-                        let _e577 = ((bitcast<f32>(_e561) - _e147.origin.x) * _e301);
-                        let _e578 = ((bitcast<f32>(_e565) - _e147.origin.y) * _e313);
-                        let _e579 = ((bitcast<f32>(_e569) - _e147.origin.z) * _e325);
-                        let _e587 = nodes.member[(0u + _e520)].x;
-                        if (_e301 < 0f) {
-                            let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e587.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.unnamed.root, _e587.w), _e598.unnamed_1);
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_bvh_traverse_Tree(_e587.x, _e604.unnamed_1.first_primitive));
-                            phi_1096_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_bvh_traverse_Tree(_e610.unnamed_1.root, _e587.y));
+                        let _e529 = nodes.member[(0u + _e518)].frame[3u];
+                        let _e554 = (bitcast<f32>((((_e529 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
+                        let _e555 = (bitcast<f32>((((_e529 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
+                        let _e556 = (bitcast<f32>((((_e529 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e323);
+                        let _e559 = nodes.member[(0u + _e518)].frame[0u];
+                        let _e563 = nodes.member[(0u + _e518)].frame[1u];
+                        let _e567 = nodes.member[(0u + _e518)].frame[2u];
+                        let _e575 = ((bitcast<f32>(_e559) - _e145.origin.x) * _e299);
+                        let _e576 = ((bitcast<f32>(_e563) - _e145.origin.y) * _e311);
+                        let _e577 = ((bitcast<f32>(_e567) - _e145.origin.z) * _e323);
+                        let _e585 = nodes.member[(0u + _e518)].x;
+                        if (_e299 < 0f) {
+                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e596.unnamed.root, _e585.w), _e596.unnamed_1);
+                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_bvh_traverse_Tree(_e585.x, _e602.unnamed_1.first_primitive));
+                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e608.unnamed, lt_bvh_traverse_Tree(_e608.unnamed_1.root, _e585.y));
                         } else {
-                            let _e626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e587.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e626.unnamed.root, _e587.y), _e626.unnamed_1);
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e632.unnamed, lt_bvh_traverse_Tree(_e587.z, _e632.unnamed_1.first_primitive));
-                            phi_1096_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_bvh_traverse_Tree(_e638.unnamed_1.root, _e587.w));
+                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.unnamed.root, _e585.y), _e624.unnamed_1);
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_bvh_traverse_Tree(_e585.z, _e630.unnamed_1.first_primitive));
+                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e636.unnamed, lt_bvh_traverse_Tree(_e636.unnamed_1.root, _e585.w));
                         }
-                        let _e646 = phi_1096_;
-                        let _e656 = nodes.member[(0u + _e520)].y;
-                        if (_e313 < 0f) {
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e656.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.unnamed.root, _e656.w), _e667.unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e656.x, _e673.unnamed_1.first_primitive));
-                            phi_1123_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e679.unnamed_1.root, _e656.y));
+                        let _e644 = phi_846_;
+                        let _e654 = nodes.member[(0u + _e518)].y;
+                        if (_e311 < 0f) {
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e665.unnamed.root, _e654.w), _e665.unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e654.x, _e671.unnamed_1.first_primitive));
+                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e677.unnamed_1.root, _e654.y));
                         } else {
-                            let _e695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e656.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e695.unnamed.root, _e656.y), _e695.unnamed_1);
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e701.unnamed, lt_bvh_traverse_Tree(_e656.z, _e701.unnamed_1.first_primitive));
-                            phi_1123_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e707.unnamed_1.root, _e656.w));
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.unnamed.root, _e654.y), _e693.unnamed_1);
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e654.z, _e699.unnamed_1.first_primitive));
+                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_bvh_traverse_Tree(_e705.unnamed_1.root, _e654.w));
                         }
-                        let _e715 = phi_1123_;
-                        let _e725 = nodes.member[(0u + _e520)].z;
-                        if (_e325 < 0f) {
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e725.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.unnamed.root, _e725.w), _e736.unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e725.x, _e742.unnamed_1.first_primitive));
-                            phi_1150_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e748.unnamed_1.root, _e725.y));
+                        let _e713 = phi_873_;
+                        let _e723 = nodes.member[(0u + _e518)].z;
+                        if (_e323 < 0f) {
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e734.unnamed.root, _e723.w), _e734.unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e723.x, _e740.unnamed_1.first_primitive));
+                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e746.unnamed_1.root, _e723.y));
                         } else {
-                            let _e764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e725.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e764.unnamed.root, _e725.y), _e764.unnamed_1);
-                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e770.unnamed, lt_bvh_traverse_Tree(_e725.z, _e770.unnamed_1.first_primitive));
-                            phi_1150_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_bvh_traverse_Tree(_e776.unnamed_1.root, _e725.w));
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e762.unnamed.root, _e723.y), _e762.unnamed_1);
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_bvh_traverse_Tree(_e723.z, _e768.unnamed_1.first_primitive));
+                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_bvh_traverse_Tree(_e774.unnamed_1.root, _e723.w));
                         }
-                        let _e784 = phi_1150_;
-                        phi_1156_ = 0u;
-                        phi_1159_ = 0u;
+                        let _e782 = phi_900_;
+                        phi_906_ = 0u;
+                        phi_909_ = 0u;
                         loop {
-                            let _e794 = phi_1156_;
-                            let _e796 = phi_1159_;
-                            local_4 = _e796;
-                            local_5 = _e796;
-                            local_6 = _e796;
-                            let _e797 = (_e794 < 8u);
-                            if _e797 {
-                                let _e799 = (_e794 >> bitcast<u32>(2i));
-                                let _e800 = (_e794 & 3u);
-                                if (_e799 == 0u) {
-                                    phi_1173_ = _e646.unnamed.root;
+                            let _e792 = phi_906_;
+                            let _e794 = phi_909_;
+                            local_2 = _e794;
+                            local_3 = _e794;
+                            local_4 = _e794;
+                            let _e795 = (_e792 < 8u);
+                            if _e795 {
+                                let _e797 = (_e792 >> bitcast<u32>(2i));
+                                let _e798 = (_e792 & 3u);
+                                if (_e797 == 0u) {
+                                    phi_923_ = _e644.unnamed.root;
                                 } else {
-                                    phi_1173_ = _e646.unnamed.first_primitive;
+                                    phi_923_ = _e644.unnamed.first_primitive;
                                 }
-                                let _e803 = phi_1173_;
-                                if (_e799 == 0u) {
-                                    phi_1183_ = _e715.unnamed.root;
+                                let _e801 = phi_923_;
+                                if (_e797 == 0u) {
+                                    phi_933_ = _e713.unnamed.root;
                                 } else {
-                                    phi_1183_ = _e715.unnamed.first_primitive;
+                                    phi_933_ = _e713.unnamed.first_primitive;
                                 }
-                                let _e812 = phi_1183_;
-                                if (_e799 == 0u) {
-                                    phi_1193_ = _e784.unnamed.root;
+                                let _e810 = phi_933_;
+                                if (_e797 == 0u) {
+                                    phi_943_ = _e782.unnamed.root;
                                 } else {
-                                    phi_1193_ = _e784.unnamed.first_primitive;
+                                    phi_943_ = _e782.unnamed.first_primitive;
                                 }
-                                let _e821 = phi_1193_;
-                                let _e834 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e803 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e556) + (_e577 - _e362)), ((f32(((_e812 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e557) + (_e578 - _e363)));
-                                let _e835 = core_intrinsics_maximum_number_nsz_f32_(_e834, ((f32(((_e821 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e558) + (_e579 - _e364)));
-                                if (_e799 == 0u) {
-                                    phi_1211_ = _e646.unnamed_1.root;
+                                let _e819 = phi_943_;
+                                let _e832 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e801 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e554) + (_e575 - _e360)), ((f32(((_e810 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e555) + (_e576 - _e361)));
+                                let _e833 = core_intrinsics_maximum_number_nsz_f32_(_e832, ((f32(((_e819 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e556) + (_e577 - _e362)));
+                                if (_e797 == 0u) {
+                                    phi_961_ = _e644.unnamed_1.root;
                                 } else {
-                                    phi_1211_ = _e646.unnamed_1.first_primitive;
+                                    phi_961_ = _e644.unnamed_1.first_primitive;
                                 }
-                                let _e838 = phi_1211_;
-                                if (_e799 == 0u) {
-                                    phi_1221_ = _e715.unnamed_1.root;
+                                let _e836 = phi_961_;
+                                if (_e797 == 0u) {
+                                    phi_971_ = _e713.unnamed_1.root;
                                 } else {
-                                    phi_1221_ = _e715.unnamed_1.first_primitive;
+                                    phi_971_ = _e713.unnamed_1.first_primitive;
                                 }
-                                let _e847 = phi_1221_;
-                                if (_e799 == 0u) {
-                                    phi_1231_ = _e784.unnamed_1.root;
+                                let _e845 = phi_971_;
+                                if (_e797 == 0u) {
+                                    phi_981_ = _e782.unnamed_1.root;
                                 } else {
-                                    phi_1231_ = _e784.unnamed_1.first_primitive;
+                                    phi_981_ = _e782.unnamed_1.first_primitive;
                                 }
-                                let _e856 = phi_1231_;
-                                let _e869 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e838 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e556) + (_e577 + _e362)), ((f32(((_e847 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e557) + (_e578 + _e363)));
-                                let _e870 = core_intrinsics_minimum_number_nsz_f32_(_e869, ((f32(((_e856 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e558) + (_e579 + _e364)));
-                                if (_e835 <= _e870) {
-                                    if (_e835 <= _e522.t) {
-                                        if (_e870 >= _e147.tmin) {
-                                            if (_e799 == 0u) {
-                                                let _e877 = nodes.member[(0u + _e520)].links[2u];
-                                                phi_1267_ = _e877;
+                                let _e854 = phi_981_;
+                                let _e867 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e836 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e554) + (_e575 + _e360)), ((f32(((_e845 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e555) + (_e576 + _e361)));
+                                let _e868 = core_intrinsics_minimum_number_nsz_f32_(_e867, ((f32(((_e854 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e556) + (_e577 + _e362)));
+                                if (_e833 <= _e868) {
+                                    if (_e833 <= _e520.t) {
+                                        if (_e868 >= _e145.tmin) {
+                                            if (_e797 == 0u) {
+                                                let _e875 = nodes.member[(0u + _e518)].links[2u];
+                                                phi_1017_ = _e875;
                                             } else {
-                                                let _e880 = nodes.member[(0u + _e520)].links[3u];
-                                                phi_1267_ = _e880;
+                                                let _e878 = nodes.member[(0u + _e518)].links[3u];
+                                                phi_1017_ = _e878;
                                             }
-                                            let _e882 = phi_1267_;
-                                            let _e887 = ((_e882 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u);
-                                            let _e888 = (_e887 & 31u);
-                                            if (_e888 >= 24u) {
-                                                phi_1280_ = (24u + ((_e888 - 24u) ^ _e382));
+                                            let _e880 = phi_1017_;
+                                            let _e885 = ((_e880 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u);
+                                            let _e886 = (_e885 & 31u);
+                                            if (_e886 >= 24u) {
+                                                phi_1030_ = (24u + ((_e886 - 24u) ^ _e380));
                                             } else {
-                                                phi_1280_ = _e888;
+                                                phi_1030_ = _e886;
                                             }
-                                            let _e894 = phi_1280_;
-                                            phi_1285_ = (_e796 | ((_e887 >> bitcast<u32>(5i)) << bitcast<u32>((_e894 & 31u))));
+                                            let _e892 = phi_1030_;
+                                            phi_1035_ = (_e794 | ((_e885 >> bitcast<u32>(5i)) << bitcast<u32>((_e892 & 31u))));
                                         } else {
-                                            phi_1285_ = _e796;
+                                            phi_1035_ = _e794;
                                         }
-                                        let _e902 = phi_1285_;
-                                        phi_1286_ = _e902;
+                                        let _e900 = phi_1035_;
+                                        phi_1036_ = _e900;
                                     } else {
-                                        phi_1286_ = _e796;
+                                        phi_1036_ = _e794;
                                     }
-                                    let _e904 = phi_1286_;
-                                    phi_1287_ = _e904;
+                                    let _e902 = phi_1036_;
+                                    phi_1037_ = _e902;
                                 } else {
-                                    phi_1287_ = _e796;
+                                    phi_1037_ = _e794;
                                 }
-                                let _e906 = phi_1287_;
-                                phi_1157_ = (_e794 + 1u);
-                                phi_1160_ = _e906;
+                                let _e904 = phi_1037_;
+                                phi_907_ = (_e792 + 1u);
+                                phi_910_ = _e904;
                             } else {
-                                phi_1157_ = u32();
-                                phi_1160_ = u32();
+                                phi_907_ = u32();
+                                phi_910_ = u32();
                             }
-                            let _e909 = phi_1157_;
-                            let _e911 = phi_1160_;
+                            let _e907 = phi_907_;
+                            let _e909 = phi_910_;
                             continue;
                             continuing {
-                                phi_1156_ = _e909;
-                                phi_1159_ = _e911;
-                                break if !(_e797);
+                                phi_906_ = _e907;
+                                phi_909_ = _e909;
+                                break if !(_e795);
                             }
                         }
-                        let _e915 = nodes.member[(0u + _e520)].links[0u];
-                        let _e919 = nodes.member[(0u + _e520)].frame[3u];
-                        let _e923 = local_4;
-                        if ((_e923 & 4278190080u) == 0u) {
+                        let _e913 = nodes.member[(0u + _e518)].links[0u];
+                        let _e917 = nodes.member[(0u + _e518)].frame[3u];
+                        let _e921 = local_2;
+                        if ((_e921 & 4278190080u) == 0u) {
                         } else {
-                            let _e927 = local_3.group_mask;
-                            if ((_e927 & 4278190080u) == 0u) {
+                            let _e925 = local_1.group_mask;
+                            if ((_e925 & 4278190080u) == 0u) {
                             } else {
-                                let _e931 = local_3.len;
-                                if (_e931 < 32u) {
-                                    let _e934 = local_3.group;
-                                    let _e936 = local_3.len;
-                                    if (_e936 < 32u) {
+                                let _e929 = local_1.len;
+                                if (_e929 < 32u) {
+                                    let _e932 = local_1.group;
+                                    let _e934 = local_1.len;
+                                    if (_e934 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.first[(0u + _e936)] = _e934;
-                                    let _e942 = local_3.group_mask;
-                                    let _e944 = local_3.len;
-                                    if (_e944 < 32u) {
+                                    local_1.first[(0u + _e934)] = _e932;
+                                    let _e940 = local_1.group_mask;
+                                    let _e942 = local_1.len;
+                                    if (_e942 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.mask[(0u + _e944)] = _e942;
-                                    let _e951 = local_3.len;
-                                    local_3.len = (_e951 + 1u);
+                                    local_1.mask[(0u + _e942)] = _e940;
+                                    let _e949 = local_1.len;
+                                    local_1.len = (_e949 + 1u);
                                 }
                             }
-                            local_3.group = (_e96 + _e915);
-                            let _e955 = local_5;
-                            local_3.group_mask = ((_e955 & 4278190080u) | (_e919 >> bitcast<u32>(24i)));
+                            local_1.group = (_e94 + _e913);
+                            let _e953 = local_3;
+                            local_1.group_mask = ((_e953 & 4278190080u) | (_e917 >> bitcast<u32>(24i)));
                         }
-                        let _e960 = local_6;
-                        phi_1345_ = (_e960 & 16777215u);
-                        phi_1348_ = _e522;
+                        let _e958 = local_4;
+                        phi_1095_ = (_e958 & 16777215u);
+                        phi_1098_ = _e520;
                         loop {
-                            let _e963 = phi_1345_;
-                            let _e965 = phi_1348_;
-                            local_12 = _e965;
-                            if (_e963 == 0u) {
-                                phi_1346_ = u32();
-                                phi_1349_ = lt_bvh_Hit();
-                                phi_2912_ = false;
+                            let _e961 = phi_1095_;
+                            let _e963 = phi_1098_;
+                            local_10 = _e963;
+                            if (_e961 == 0u) {
+                                phi_1096_ = u32();
+                                phi_1099_ = lt_bvh_Hit();
+                                phi_2684_ = false;
                             } else {
-                                let _e969 = nodes.member[(0u + _e520)].links[1u];
-                                let _e973 = (_e969 + select(firstTrailingBit(_e963), 32u, (_e963 == 0u)));
-                                if (_e973 < _e84) {
+                                let _e967 = nodes.member[(0u + _e518)].links[1u];
+                                let _e971 = (_e967 + select(firstTrailingBit(_e961), 32u, (_e961 == 0u)));
+                                if (_e971 < _e82) {
                                 } else {
                                     return;
                                 }
-                                let _e980 = instances.member[(0u + _e973)].low_world;
-                                let _e982 = instances.member[(0u + _e973)].high_world;
-                                let _e992 = ((_e980.x - _e147.origin.x) * _e301);
-                                let _e993 = ((_e980.y - _e147.origin.y) * _e313);
-                                let _e994 = ((_e980.z - _e147.origin.z) * _e325);
-                                let _e1004 = ((_e982.x - _e147.origin.x) * _e301);
-                                let _e1005 = ((_e982.y - _e147.origin.y) * _e313);
-                                let _e1006 = ((_e982.z - _e147.origin.z) * _e325);
+                                let _e978 = instances.member[(0u + _e971)].low_world;
+                                let _e980 = instances.member[(0u + _e971)].high_world;
+                                let _e990 = ((_e978.x - _e145.origin.x) * _e299);
+                                let _e991 = ((_e978.y - _e145.origin.y) * _e311);
+                                let _e992 = ((_e978.z - _e145.origin.z) * _e323);
+                                let _e1002 = ((_e980.x - _e145.origin.x) * _e299);
+                                let _e1003 = ((_e980.y - _e145.origin.y) * _e311);
+                                let _e1004 = ((_e980.z - _e145.origin.z) * _e323);
+                                if (_e990 < _e1002) {
+                                    phi_1153_ = _e990;
+                                } else {
+                                    phi_1153_ = _e1002;
+                                }
+                                let _e1007 = phi_1153_;
+                                if (_e991 < _e1003) {
+                                    phi_1158_ = _e991;
+                                } else {
+                                    phi_1158_ = _e1003;
+                                }
+                                let _e1010 = phi_1158_;
                                 if (_e992 < _e1004) {
-                                    phi_1403_ = _e992;
+                                    phi_1163_ = _e992;
                                 } else {
-                                    phi_1403_ = _e1004;
+                                    phi_1163_ = _e1004;
                                 }
-                                let _e1009 = phi_1403_;
-                                if (_e993 < _e1005) {
-                                    phi_1408_ = _e993;
+                                let _e1013 = phi_1163_;
+                                if (_e990 > _e1002) {
+                                    phi_1171_ = _e990;
                                 } else {
-                                    phi_1408_ = _e1005;
+                                    phi_1171_ = _e1002;
                                 }
-                                let _e1012 = phi_1408_;
-                                if (_e994 < _e1006) {
-                                    phi_1413_ = _e994;
+                                let _e1019 = phi_1171_;
+                                if (_e991 > _e1003) {
+                                    phi_1176_ = _e991;
                                 } else {
-                                    phi_1413_ = _e1006;
+                                    phi_1176_ = _e1003;
                                 }
-                                let _e1015 = phi_1413_;
+                                let _e1022 = phi_1176_;
                                 if (_e992 > _e1004) {
-                                    phi_1421_ = _e992;
+                                    phi_1181_ = _e992;
                                 } else {
-                                    phi_1421_ = _e1004;
+                                    phi_1181_ = _e1004;
                                 }
-                                let _e1021 = phi_1421_;
-                                if (_e993 > _e1005) {
-                                    phi_1426_ = _e993;
-                                } else {
-                                    phi_1426_ = _e1005;
-                                }
-                                let _e1024 = phi_1426_;
-                                if (_e994 > _e1006) {
-                                    phi_1431_ = _e994;
-                                } else {
-                                    phi_1431_ = _e1006;
-                                }
-                                let _e1027 = phi_1431_;
-                                let _e1031 = core_intrinsics_maximum_number_nsz_f32_((_e1009 - _e369), (_e1012 - _e370));
-                                let _e1032 = core_intrinsics_maximum_number_nsz_f32_(_e1031, (_e1015 - _e371));
-                                let _e1033 = core_intrinsics_minimum_number_nsz_f32_((_e1021 + _e369), (_e1024 + _e370));
-                                let _e1034 = core_intrinsics_minimum_number_nsz_f32_(_e1033, (_e1027 + _e371));
-                                if (_e1032 <= _e1034) {
-                                    if (_e1032 <= _e965.t) {
-                                        if (_e1034 >= _e147.tmin) {
-                                            let _e1046 = instances.member[(0u + _e973)].world_to_object[0u];
-                                            let _e1057 = ((((_e1046.x * _e147.origin.x) + (_e1046.y * _e147.origin.y)) + (_e1046.z * _e147.origin.z)) + (_e1046.w * 1f));
-                                            let _e1059 = instances.member[(0u + _e973)].world_to_object[1u];
-                                            let _e1070 = ((((_e1059.x * _e147.origin.x) + (_e1059.y * _e147.origin.y)) + (_e1059.z * _e147.origin.z)) + (_e1059.w * 1f));
-                                            let _e1072 = instances.member[(0u + _e973)].world_to_object[2u];
-                                            let _e1083 = ((((_e1072.x * _e147.origin.x) + (_e1072.y * _e147.origin.y)) + (_e1072.z * _e147.origin.z)) + (_e1072.w * 1f));
-                                            let _e1090 = instances.member[(0u + _e973)].world_to_object[0u];
-                                            let _e1101 = ((((_e1090.x * _e147.direction.x) + (_e1090.y * _e147.direction.y)) + (_e1090.z * _e147.direction.z)) + (_e1090.w * 0f));
-                                            let _e1103 = instances.member[(0u + _e973)].world_to_object[1u];
-                                            let _e1114 = ((((_e1103.x * _e147.direction.x) + (_e1103.y * _e147.direction.y)) + (_e1103.z * _e147.direction.z)) + (_e1103.w * 0f));
-                                            let _e1116 = instances.member[(0u + _e973)].world_to_object[2u];
-                                            let _e1127 = ((((_e1116.x * _e147.direction.x) + (_e1116.y * _e147.direction.y)) + (_e1116.z * _e147.direction.z)) + (_e1116.w * 0f));
-                                            let _e1131 = instances.member[(0u + _e973)].root;
-                                            let _e1133 = instances.member[(0u + _e973)].first_triangle;
-                                            let _e1137 = abs(_e1101);
-                                            let _e1138 = abs(_e1114);
-                                            let _e1139 = abs(_e1127);
-                                            if (abs(_e1057) < 1000000000000000f) {
-                                                if (abs(_e1070) < 1000000000000000f) {
-                                                    if (abs(_e1083) < 1000000000000000f) {
-                                                        if (_e1137 < 1000000000000000f) {
-                                                            if (_e1138 < 1000000000000000f) {
-                                                                if (_e1139 < 1000000000000000f) {
-                                                                    if (_e1137 > 0f) {
-                                                                        phi_1587_ = bool();
-                                                                        phi_1588_ = true;
+                                let _e1025 = phi_1181_;
+                                let _e1029 = core_intrinsics_maximum_number_nsz_f32_((_e1007 - _e367), (_e1010 - _e368));
+                                let _e1030 = core_intrinsics_maximum_number_nsz_f32_(_e1029, (_e1013 - _e369));
+                                let _e1031 = core_intrinsics_minimum_number_nsz_f32_((_e1019 + _e367), (_e1022 + _e368));
+                                let _e1032 = core_intrinsics_minimum_number_nsz_f32_(_e1031, (_e1025 + _e369));
+                                if (_e1030 <= _e1032) {
+                                    if (_e1030 <= _e963.t) {
+                                        if (_e1032 >= _e145.tmin) {
+                                            let _e1044 = instances.member[(0u + _e971)].world_to_object[0u];
+                                            let _e1055 = ((((_e1044.x * _e145.origin.x) + (_e1044.y * _e145.origin.y)) + (_e1044.z * _e145.origin.z)) + (_e1044.w * 1f));
+                                            let _e1057 = instances.member[(0u + _e971)].world_to_object[1u];
+                                            let _e1068 = ((((_e1057.x * _e145.origin.x) + (_e1057.y * _e145.origin.y)) + (_e1057.z * _e145.origin.z)) + (_e1057.w * 1f));
+                                            let _e1070 = instances.member[(0u + _e971)].world_to_object[2u];
+                                            let _e1081 = ((((_e1070.x * _e145.origin.x) + (_e1070.y * _e145.origin.y)) + (_e1070.z * _e145.origin.z)) + (_e1070.w * 1f));
+                                            let _e1088 = instances.member[(0u + _e971)].world_to_object[0u];
+                                            let _e1099 = ((((_e1088.x * _e145.direction.x) + (_e1088.y * _e145.direction.y)) + (_e1088.z * _e145.direction.z)) + (_e1088.w * 0f));
+                                            let _e1101 = instances.member[(0u + _e971)].world_to_object[1u];
+                                            let _e1112 = ((((_e1101.x * _e145.direction.x) + (_e1101.y * _e145.direction.y)) + (_e1101.z * _e145.direction.z)) + (_e1101.w * 0f));
+                                            let _e1114 = instances.member[(0u + _e971)].world_to_object[2u];
+                                            let _e1125 = ((((_e1114.x * _e145.direction.x) + (_e1114.y * _e145.direction.y)) + (_e1114.z * _e145.direction.z)) + (_e1114.w * 0f));
+                                            let _e1130 = instances.member[(0u + _e971)].root;
+                                            let _e1132 = instances.member[(0u + _e971)].first_triangle;
+                                            let _e1136 = abs(_e1099);
+                                            let _e1137 = abs(_e1112);
+                                            let _e1138 = abs(_e1125);
+                                            if (abs(_e1055) < 1000000000000000f) {
+                                                if (abs(_e1068) < 1000000000000000f) {
+                                                    if (abs(_e1081) < 1000000000000000f) {
+                                                        if (_e1136 < 1000000000000000f) {
+                                                            if (_e1137 < 1000000000000000f) {
+                                                                if (_e1138 < 1000000000000000f) {
+                                                                    if (_e1136 > 0f) {
+                                                                        phi_1338_ = bool();
+                                                                        phi_1339_ = true;
                                                                     } else {
-                                                                        let _e1147 = (_e1138 > 0f);
-                                                                        if _e1147 {
-                                                                            phi_1586_ = bool();
+                                                                        let _e1146 = (_e1137 > 0f);
+                                                                        if _e1146 {
+                                                                            phi_1337_ = bool();
                                                                         } else {
-                                                                            phi_1586_ = (_e1139 > 0f);
+                                                                            phi_1337_ = (_e1138 > 0f);
                                                                         }
-                                                                        let _e1150 = phi_1586_;
-                                                                        phi_1587_ = _e1150;
-                                                                        phi_1588_ = _e1147;
+                                                                        let _e1149 = phi_1337_;
+                                                                        phi_1338_ = _e1149;
+                                                                        phi_1339_ = _e1146;
                                                                     }
-                                                                    let _e1152 = phi_1587_;
-                                                                    let _e1154 = phi_1588_;
-                                                                    if _e1154 {
-                                                                        phi_1592_ = true;
+                                                                    let _e1151 = phi_1338_;
+                                                                    let _e1153 = phi_1339_;
+                                                                    if _e1153 {
+                                                                        phi_1343_ = true;
                                                                     } else {
-                                                                        phi_1592_ = _e1152;
+                                                                        phi_1343_ = _e1151;
                                                                     }
-                                                                    let _e1156 = phi_1592_;
-                                                                    phi_1593_ = _e1156;
-                                                                    phi_1594_ = false;
+                                                                    let _e1155 = phi_1343_;
+                                                                    phi_1344_ = _e1155;
+                                                                    phi_1345_ = false;
                                                                 } else {
-                                                                    phi_1593_ = bool();
-                                                                    phi_1594_ = true;
+                                                                    phi_1344_ = bool();
+                                                                    phi_1345_ = true;
                                                                 }
-                                                                let _e1158 = phi_1593_;
-                                                                let _e1160 = phi_1594_;
-                                                                phi_1595_ = _e1158;
-                                                                phi_1596_ = false;
-                                                                phi_1597_ = _e1160;
+                                                                let _e1157 = phi_1344_;
+                                                                let _e1159 = phi_1345_;
+                                                                phi_1346_ = _e1157;
+                                                                phi_1347_ = false;
+                                                                phi_1348_ = _e1159;
                                                             } else {
-                                                                phi_1595_ = bool();
-                                                                phi_1596_ = true;
-                                                                phi_1597_ = false;
+                                                                phi_1346_ = bool();
+                                                                phi_1347_ = true;
+                                                                phi_1348_ = false;
                                                             }
-                                                            let _e1162 = phi_1595_;
-                                                            let _e1164 = phi_1596_;
-                                                            let _e1166 = phi_1597_;
-                                                            phi_1598_ = _e1162;
-                                                            phi_1599_ = _e1164;
-                                                            phi_1600_ = _e1166;
+                                                            let _e1161 = phi_1346_;
+                                                            let _e1163 = phi_1347_;
+                                                            let _e1165 = phi_1348_;
+                                                            phi_1349_ = _e1161;
+                                                            phi_1350_ = _e1163;
+                                                            phi_1351_ = _e1165;
                                                         } else {
-                                                            phi_1598_ = bool();
-                                                            phi_1599_ = true;
-                                                            phi_1600_ = false;
+                                                            phi_1349_ = bool();
+                                                            phi_1350_ = true;
+                                                            phi_1351_ = false;
                                                         }
-                                                        let _e1168 = phi_1598_;
-                                                        let _e1170 = phi_1599_;
-                                                        let _e1172 = phi_1600_;
-                                                        phi_1601_ = _e1168;
-                                                        phi_1602_ = _e1170;
-                                                        phi_1603_ = _e1172;
+                                                        let _e1167 = phi_1349_;
+                                                        let _e1169 = phi_1350_;
+                                                        let _e1171 = phi_1351_;
+                                                        phi_1352_ = _e1167;
+                                                        phi_1353_ = _e1169;
+                                                        phi_1354_ = _e1171;
                                                     } else {
-                                                        phi_1601_ = bool();
-                                                        phi_1602_ = true;
-                                                        phi_1603_ = false;
+                                                        phi_1352_ = bool();
+                                                        phi_1353_ = true;
+                                                        phi_1354_ = false;
                                                     }
-                                                    let _e1174 = phi_1601_;
-                                                    let _e1176 = phi_1602_;
-                                                    let _e1178 = phi_1603_;
-                                                    phi_1604_ = _e1174;
-                                                    phi_1605_ = _e1176;
-                                                    phi_1606_ = _e1178;
+                                                    let _e1173 = phi_1352_;
+                                                    let _e1175 = phi_1353_;
+                                                    let _e1177 = phi_1354_;
+                                                    phi_1355_ = _e1173;
+                                                    phi_1356_ = _e1175;
+                                                    phi_1357_ = _e1177;
                                                 } else {
-                                                    phi_1604_ = bool();
-                                                    phi_1605_ = true;
-                                                    phi_1606_ = false;
+                                                    phi_1355_ = bool();
+                                                    phi_1356_ = true;
+                                                    phi_1357_ = false;
                                                 }
-                                                let _e1180 = phi_1604_;
-                                                let _e1182 = phi_1605_;
-                                                let _e1184 = phi_1606_;
-                                                phi_1607_ = _e1180;
-                                                phi_1608_ = _e1182;
-                                                phi_1609_ = _e1184;
+                                                let _e1179 = phi_1355_;
+                                                let _e1181 = phi_1356_;
+                                                let _e1183 = phi_1357_;
+                                                phi_1358_ = _e1179;
+                                                phi_1359_ = _e1181;
+                                                phi_1360_ = _e1183;
                                             } else {
-                                                phi_1607_ = bool();
-                                                phi_1608_ = true;
-                                                phi_1609_ = false;
+                                                phi_1358_ = bool();
+                                                phi_1359_ = true;
+                                                phi_1360_ = false;
                                             }
-                                            let _e1186 = phi_1607_;
-                                            let _e1188 = phi_1608_;
-                                            let _e1190 = phi_1609_;
-                                            if _e1188 {
-                                                phi_1613_ = true;
+                                            let _e1185 = phi_1358_;
+                                            let _e1187 = phi_1359_;
+                                            let _e1189 = phi_1360_;
+                                            if _e1187 {
+                                                phi_1364_ = true;
                                             } else {
-                                                phi_1613_ = _e1190;
+                                                phi_1364_ = _e1189;
                                             }
-                                            let _e1192 = phi_1613_;
-                                            if _e1192 {
-                                                phi_1617_ = false;
+                                            let _e1191 = phi_1364_;
+                                            if _e1191 {
+                                                phi_1368_ = false;
                                             } else {
-                                                phi_1617_ = _e1186;
+                                                phi_1368_ = _e1185;
                                             }
-                                            let _e1194 = phi_1617_;
-                                            if _e1194 {
-                                                let _e1195 = (_e1131 >= _e69);
-                                                if _e1195 {
-                                                    phi_2902_ = lt_bvh_Hit();
+                                            let _e1193 = phi_1368_;
+                                            if _e1193 {
+                                                let _e1194 = (_e1130 >= _e67);
+                                                if _e1194 {
+                                                    phi_2674_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1131 < _e69) {
+                                                    if (_e1130 < _e67) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1201 = nodes.member[(0u + _e1131)].frame[0u];
-                                                    let _e1205 = nodes.member[(0u + _e1131)].frame[1u];
-                                                    let _e1209 = nodes.member[(0u + _e1131)].frame[2u];
-                                                    let _e1213 = nodes.member[(0u + _e1131)].frame[0u];
-                                                    let _e1217 = nodes.member[(0u + _e1131)].frame[1u];
-                                                    let _e1221 = nodes.member[(0u + _e1131)].frame[2u];
-                                                    let _e1225 = nodes.member[(0u + _e1131)].frame[3u];
-                                                    let _e1259 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1101), abs(_e1114));
-                                                    let _e1260 = core_intrinsics_maximum_number_nsz_f32_(_e1259, abs(_e1127));
-                                                    let _e1261 = (_e1260 * 0.0000000000009094947f);
-                                                    if (abs(_e1101) < _e1261) {
-                                                        phi_1687_ = _e1261;
+                                                    let _e1200 = nodes.member[(0u + _e1130)].frame[0u];
+                                                    let _e1204 = nodes.member[(0u + _e1130)].frame[1u];
+                                                    let _e1208 = nodes.member[(0u + _e1130)].frame[2u];
+                                                    let _e1212 = nodes.member[(0u + _e1130)].frame[0u];
+                                                    let _e1216 = nodes.member[(0u + _e1130)].frame[1u];
+                                                    let _e1220 = nodes.member[(0u + _e1130)].frame[2u];
+                                                    let _e1224 = nodes.member[(0u + _e1130)].frame[3u];
+                                                    let _e1258 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1099), abs(_e1112));
+                                                    let _e1259 = core_intrinsics_maximum_number_nsz_f32_(_e1258, abs(_e1125));
+                                                    let _e1260 = (_e1259 * 0.0000000000009094947f);
+                                                    if (abs(_e1099) < _e1260) {
+                                                        phi_1438_ = _e1260;
                                                     } else {
-                                                        phi_1687_ = abs(_e1101);
+                                                        phi_1438_ = abs(_e1099);
                                                     }
-                                                    let _e1266 = phi_1687_;
-                                                    if (_e1101 < 0f) {
-                                                        phi_1694_ = (-1f / _e1266);
+                                                    let _e1265 = phi_1438_;
+                                                    if (_e1099 < 0f) {
+                                                        phi_1445_ = (-1f / _e1265);
                                                     } else {
-                                                        phi_1694_ = (1f / _e1266);
+                                                        phi_1445_ = (1f / _e1265);
                                                     }
-                                                    let _e1271 = phi_1694_;
-                                                    if (abs(_e1114) < _e1261) {
-                                                        phi_1701_ = _e1261;
+                                                    let _e1270 = phi_1445_;
+                                                    if (abs(_e1112) < _e1260) {
+                                                        phi_1452_ = _e1260;
                                                     } else {
-                                                        phi_1701_ = abs(_e1114);
+                                                        phi_1452_ = abs(_e1112);
                                                     }
-                                                    let _e1276 = phi_1701_;
-                                                    if (_e1114 < 0f) {
-                                                        phi_1708_ = (-1f / _e1276);
+                                                    let _e1275 = phi_1452_;
+                                                    if (_e1112 < 0f) {
+                                                        phi_1459_ = (-1f / _e1275);
                                                     } else {
-                                                        phi_1708_ = (1f / _e1276);
+                                                        phi_1459_ = (1f / _e1275);
                                                     }
-                                                    let _e1281 = phi_1708_;
-                                                    if (abs(_e1127) < _e1261) {
-                                                        phi_1715_ = _e1261;
+                                                    let _e1280 = phi_1459_;
+                                                    if (abs(_e1125) < _e1260) {
+                                                        phi_1466_ = _e1260;
                                                     } else {
-                                                        phi_1715_ = abs(_e1127);
+                                                        phi_1466_ = abs(_e1125);
                                                     }
-                                                    let _e1286 = phi_1715_;
-                                                    if (_e1127 < 0f) {
-                                                        phi_1722_ = (-1f / _e1286);
+                                                    let _e1285 = phi_1466_;
+                                                    if (_e1125 < 0f) {
+                                                        phi_1473_ = (-1f / _e1285);
                                                     } else {
-                                                        phi_1722_ = (1f / _e1286);
+                                                        phi_1473_ = (1f / _e1285);
                                                     }
-                                                    let _e1291 = phi_1722_;
-                                                    let _e1295 = abs((bitcast<f32>(_e1201) - _e1057));
-                                                    let _e1296 = abs((bitcast<f32>(_e1205) - _e1070));
-                                                    let _e1297 = abs((bitcast<f32>(_e1209) - _e1083));
-                                                    let _e1301 = abs(((bitcast<f32>(_e1213) + (bitcast<f32>((((_e1225 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1057));
-                                                    let _e1302 = abs(((bitcast<f32>(_e1217) + (bitcast<f32>((((_e1225 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1070));
-                                                    let _e1303 = abs(((bitcast<f32>(_e1221) + (bitcast<f32>((((_e1225 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1083));
+                                                    let _e1290 = phi_1473_;
+                                                    let _e1294 = abs((bitcast<f32>(_e1200) - _e1055));
+                                                    let _e1295 = abs((bitcast<f32>(_e1204) - _e1068));
+                                                    let _e1296 = abs((bitcast<f32>(_e1208) - _e1081));
+                                                    let _e1300 = abs(((bitcast<f32>(_e1212) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1055));
+                                                    let _e1301 = abs(((bitcast<f32>(_e1216) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1068));
+                                                    let _e1302 = abs(((bitcast<f32>(_e1220) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1081));
+                                                    if (_e1294 > _e1300) {
+                                                        phi_1490_ = _e1294;
+                                                    } else {
+                                                        phi_1490_ = _e1300;
+                                                    }
+                                                    let _e1305 = phi_1490_;
                                                     if (_e1295 > _e1301) {
-                                                        phi_1739_ = _e1295;
+                                                        phi_1495_ = _e1295;
                                                     } else {
-                                                        phi_1739_ = _e1301;
+                                                        phi_1495_ = _e1301;
                                                     }
-                                                    let _e1306 = phi_1739_;
+                                                    let _e1308 = phi_1495_;
                                                     if (_e1296 > _e1302) {
-                                                        phi_1744_ = _e1296;
+                                                        phi_1500_ = _e1296;
                                                     } else {
-                                                        phi_1744_ = _e1302;
+                                                        phi_1500_ = _e1302;
                                                     }
-                                                    let _e1309 = phi_1744_;
-                                                    if (_e1297 > _e1303) {
-                                                        phi_1749_ = _e1297;
-                                                    } else {
-                                                        phi_1749_ = _e1303;
-                                                    }
-                                                    let _e1312 = phi_1749_;
-                                                    let _e1313 = core_intrinsics_maximum_number_nsz_f32_(_e1306, _e1309);
-                                                    let _e1314 = core_intrinsics_maximum_number_nsz_f32_(_e1313, _e1312);
-                                                    let _e1318 = (_e1314 * 0.0000019073486f);
-                                                    let _e1319 = (abs(_e1271) * _e1318);
-                                                    let _e1320 = (abs(_e1281) * _e1318);
-                                                    let _e1321 = (abs(_e1291) * _e1318);
-                                                    let _e1325 = (_e1314 * 0.0000009536743f);
-                                                    let _e1326 = (abs(_e1271) * _e1325);
-                                                    let _e1327 = (abs(_e1281) * _e1325);
-                                                    let _e1328 = (abs(_e1291) * _e1325);
-                                                    let _e1329 = abs(_e1101);
-                                                    let _e1330 = abs(_e1114);
-                                                    let _e1331 = abs(_e1127);
-                                                    if (_e1329 >= _e1330) {
-                                                        if (_e1329 >= _e1331) {
-                                                            phi_1777_ = false;
+                                                    let _e1311 = phi_1500_;
+                                                    let _e1312 = core_intrinsics_maximum_number_nsz_f32_(_e1305, _e1308);
+                                                    let _e1313 = core_intrinsics_maximum_number_nsz_f32_(_e1312, _e1311);
+                                                    let _e1317 = (_e1313 * 0.0000019073486f);
+                                                    let _e1318 = (abs(_e1270) * _e1317);
+                                                    let _e1319 = (abs(_e1280) * _e1317);
+                                                    let _e1320 = (abs(_e1290) * _e1317);
+                                                    let _e1324 = (_e1313 * 0.0000009536743f);
+                                                    let _e1325 = (abs(_e1270) * _e1324);
+                                                    let _e1326 = (abs(_e1280) * _e1324);
+                                                    let _e1327 = (abs(_e1290) * _e1324);
+                                                    let _e1328 = abs(_e1099);
+                                                    let _e1329 = abs(_e1112);
+                                                    let _e1330 = abs(_e1125);
+                                                    if (_e1328 >= _e1329) {
+                                                        if (_e1328 >= _e1330) {
+                                                            phi_1528_ = false;
                                                         } else {
-                                                            phi_1777_ = true;
+                                                            phi_1528_ = true;
                                                         }
-                                                        let _e1335 = phi_1777_;
-                                                        phi_1778_ = _e1335;
+                                                        let _e1334 = phi_1528_;
+                                                        phi_1529_ = _e1334;
                                                     } else {
-                                                        phi_1778_ = true;
+                                                        phi_1529_ = true;
                                                     }
-                                                    let _e1337 = phi_1778_;
-                                                    if _e1337 {
-                                                        if (_e1330 >= _e1331) {
-                                                            phi_1786_ = 1u;
+                                                    let _e1336 = phi_1529_;
+                                                    if _e1336 {
+                                                        if (_e1329 >= _e1330) {
+                                                            phi_1537_ = 1u;
                                                         } else {
-                                                            phi_1786_ = 2u;
+                                                            phi_1537_ = 2u;
                                                         }
-                                                        let _e1340 = phi_1786_;
-                                                        phi_1787_ = _e1340;
+                                                        let _e1339 = phi_1537_;
+                                                        phi_1538_ = _e1339;
                                                     } else {
-                                                        phi_1787_ = 0u;
+                                                        phi_1538_ = 0u;
                                                     }
-                                                    let _e1342 = phi_1787_;
-                                                    if (_e1342 == 0u) {
-                                                        phi_1799_ = vec3<f32>(_e1114, _e1127, _e1101);
+                                                    let _e1341 = phi_1538_;
+                                                    if (_e1341 == 0u) {
+                                                        phi_1550_ = vec3<f32>(_e1112, _e1125, _e1099);
                                                     } else {
-                                                        if (_e1342 == 1u) {
-                                                            phi_1798_ = vec3<f32>(_e1127, _e1101, _e1114);
+                                                        if (_e1341 == 1u) {
+                                                            phi_1549_ = vec3<f32>(_e1125, _e1099, _e1112);
                                                         } else {
-                                                            phi_1798_ = vec3<f32>(_e1101, _e1114, _e1127);
+                                                            phi_1549_ = vec3<f32>(_e1099, _e1112, _e1125);
                                                         }
-                                                        let _e1348 = phi_1798_;
-                                                        phi_1799_ = _e1348;
+                                                        let _e1347 = phi_1549_;
+                                                        phi_1550_ = _e1347;
                                                     }
-                                                    let _e1350 = phi_1799_;
-                                                    let _e1353 = (_e1350.x / _e1350.z);
-                                                    let _e1356 = (_e1350.y / _e1350.z);
-                                                    let _e1358 = (1f / _e1350.z);
-                                                    if (_e1271 < 0f) {
-                                                        phi_1812_ = 0u;
+                                                    let _e1349 = phi_1550_;
+                                                    let _e1352 = (_e1349.x / _e1349.z);
+                                                    let _e1355 = (_e1349.y / _e1349.z);
+                                                    let _e1357 = (1f / _e1349.z);
+                                                    if (_e1270 < 0f) {
+                                                        phi_1563_ = 0u;
                                                     } else {
-                                                        phi_1812_ = 1u;
+                                                        phi_1563_ = 1u;
                                                     }
-                                                    let _e1361 = phi_1812_;
-                                                    if (_e1281 < 0f) {
-                                                        phi_1817_ = 0u;
+                                                    let _e1360 = phi_1563_;
+                                                    if (_e1280 < 0f) {
+                                                        phi_1568_ = 0u;
                                                     } else {
-                                                        phi_1817_ = 2u;
+                                                        phi_1568_ = 2u;
                                                     }
-                                                    let _e1364 = phi_1817_;
-                                                    if (_e1291 < 0f) {
-                                                        phi_1822_ = 0u;
+                                                    let _e1363 = phi_1568_;
+                                                    if (_e1290 < 0f) {
+                                                        phi_1573_ = 0u;
                                                     } else {
-                                                        phi_1822_ = 4u;
+                                                        phi_1573_ = 4u;
                                                     }
-                                                    let _e1367 = phi_1822_;
-                                                    let _e1369 = ((_e1361 | _e1364) | _e1367);
-                                                    let _e1370 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1131, 2147483648u);
-                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1370.first[0], _e1370.first[1], _e1370.first[2], _e1370.first[3], _e1370.first[4], _e1370.first[5], _e1370.first[6], _e1370.first[7], _e1370.first[8], _e1370.first[9], _e1370.first[10], _e1370.first[11], _e1370.first[12], _e1370.first[13], _e1370.first[14], _e1370.first[15], _e1370.first[16], _e1370.first[17], _e1370.first[18], _e1370.first[19], _e1370.first[20], _e1370.first[21], _e1370.first[22], _e1370.first[23], _e1370.first[24], _e1370.first[25], _e1370.first[26], _e1370.first[27], _e1370.first[28], _e1370.first[29], _e1370.first[30], _e1370.first[31]), array<u32, 32>(_e1370.mask[0], _e1370.mask[1], _e1370.mask[2], _e1370.mask[3], _e1370.mask[4], _e1370.mask[5], _e1370.mask[6], _e1370.mask[7], _e1370.mask[8], _e1370.mask[9], _e1370.mask[10], _e1370.mask[11], _e1370.mask[12], _e1370.mask[13], _e1370.mask[14], _e1370.mask[15], _e1370.mask[16], _e1370.mask[17], _e1370.mask[18], _e1370.mask[19], _e1370.mask[20], _e1370.mask[21], _e1370.mask[22], _e1370.mask[23], _e1370.mask[24], _e1370.mask[25], _e1370.mask[26], _e1370.mask[27], _e1370.mask[28], _e1370.mask[29], _e1370.mask[30], _e1370.mask[31]), _e1370.len, _e1370.group, _e1370.group_mask);
-                                                    let _e1444 = local_2.group_mask;
-                                                    if ((_e1444 & 4278190080u) == 0u) {
-                                                        let _e1448 = local_2.len;
-                                                        if (_e1448 == 0u) {
-                                                            phi_1936_ = false;
+                                                    let _e1366 = phi_1573_;
+                                                    let _e1368 = ((_e1360 | _e1363) | _e1366);
+                                                    let _e1369 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1130, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1369.first[0], _e1369.first[1], _e1369.first[2], _e1369.first[3], _e1369.first[4], _e1369.first[5], _e1369.first[6], _e1369.first[7], _e1369.first[8], _e1369.first[9], _e1369.first[10], _e1369.first[11], _e1369.first[12], _e1369.first[13], _e1369.first[14], _e1369.first[15], _e1369.first[16], _e1369.first[17], _e1369.first[18], _e1369.first[19], _e1369.first[20], _e1369.first[21], _e1369.first[22], _e1369.first[23], _e1369.first[24], _e1369.first[25], _e1369.first[26], _e1369.first[27], _e1369.first[28], _e1369.first[29], _e1369.first[30], _e1369.first[31]), array<u32, 32>(_e1369.mask[0], _e1369.mask[1], _e1369.mask[2], _e1369.mask[3], _e1369.mask[4], _e1369.mask[5], _e1369.mask[6], _e1369.mask[7], _e1369.mask[8], _e1369.mask[9], _e1369.mask[10], _e1369.mask[11], _e1369.mask[12], _e1369.mask[13], _e1369.mask[14], _e1369.mask[15], _e1369.mask[16], _e1369.mask[17], _e1369.mask[18], _e1369.mask[19], _e1369.mask[20], _e1369.mask[21], _e1369.mask[22], _e1369.mask[23], _e1369.mask[24], _e1369.mask[25], _e1369.mask[26], _e1369.mask[27], _e1369.mask[28], _e1369.mask[29], _e1369.mask[30], _e1369.mask[31]), _e1369.len, _e1369.group, _e1369.group_mask);
+                                                    let _e1443 = local.group_mask;
+                                                    if ((_e1443 & 4278190080u) == 0u) {
+                                                        let _e1447 = local.len;
+                                                        if (_e1447 == 0u) {
+                                                            phi_1687_ = false;
                                                         } else {
-                                                            let _e1452 = local_2.len;
-                                                            local_2.len = (_e1452 - 1u);
-                                                            let _e1455 = local_2.len;
-                                                            if (_e1455 < 32u) {
+                                                            let _e1451 = local.len;
+                                                            local.len = (_e1451 - 1u);
+                                                            let _e1454 = local.len;
+                                                            if (_e1454 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1460 = local_2.first[(0u + _e1455)];
-                                                            local_2.group = _e1460;
-                                                            let _e1463 = local_2.len;
-                                                            if (_e1463 < 32u) {
+                                                            let _e1459 = local.first[(0u + _e1454)];
+                                                            local.group = _e1459;
+                                                            let _e1462 = local.len;
+                                                            if (_e1462 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1468 = local_2.mask[(0u + _e1463)];
-                                                            local_2.group_mask = _e1468;
-                                                            phi_1936_ = true;
+                                                            let _e1467 = local.mask[(0u + _e1462)];
+                                                            local.group_mask = _e1467;
+                                                            phi_1687_ = true;
                                                         }
-                                                        let _e1471 = phi_1936_;
-                                                        phi_1937_ = _e1471;
+                                                        let _e1470 = phi_1687_;
+                                                        phi_1688_ = _e1470;
                                                     } else {
-                                                        phi_1937_ = true;
+                                                        phi_1688_ = true;
                                                     }
-                                                    let _e1473 = phi_1937_;
-                                                    if _e1473 {
-                                                        let _e1475 = local_2.group_mask;
-                                                        let _e1481 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1475)), 32u, (_e1475 == 0u)));
-                                                        let _e1485 = local_2.group_mask;
-                                                        let _e1499 = local_2.group_mask;
-                                                        local_2.group_mask = (_e1499 & ~((1u << bitcast<u32>((_e1481 & 31u)))));
-                                                        let _e1502 = local_2.group;
-                                                        phi_1968_ = (_e1502 + countOneBits(((_e1485 & ~((4294967295u << bitcast<u32>((((_e1481 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1472 = phi_1688_;
+                                                    if _e1472 {
+                                                        let _e1474 = local.group_mask;
+                                                        let _e1480 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1474)), 32u, (_e1474 == 0u)));
+                                                        let _e1484 = local.group_mask;
+                                                        let _e1498 = local.group_mask;
+                                                        local.group_mask = (_e1498 & ~((1u << bitcast<u32>((_e1480 & 31u)))));
+                                                        let _e1501 = local.group;
+                                                        phi_1719_ = (_e1501 + countOneBits(((_e1484 & ~((4294967295u << bitcast<u32>((((_e1480 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1968_ = 4294967295u;
+                                                        phi_1719_ = 4294967295u;
                                                     }
-                                                    let _e1505 = phi_1968_;
-                                                    phi_1970_ = _e965;
-                                                    phi_1973_ = _e1505;
+                                                    let _e1504 = phi_1719_;
+                                                    phi_1721_ = _e963;
+                                                    phi_1724_ = _e1504;
                                                     loop {
-                                                        let _e1507 = phi_1970_;
-                                                        let _e1509 = phi_1973_;
-                                                        local_11 = _e1507;
-                                                        let _e1510 = (_e1509 != 4294967295u);
-                                                        if _e1510 {
-                                                            if (_e1509 < _e69) {
+                                                        let _e1506 = phi_1721_;
+                                                        let _e1508 = phi_1724_;
+                                                        local_9 = _e1506;
+                                                        let _e1509 = (_e1508 != 4294967295u);
+                                                        if _e1509 {
+                                                            if (_e1508 < _e67) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1517 = nodes.member[(0u + _e1509)].frame[3u];
-                                                            let _e1542 = (bitcast<f32>((((_e1517 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1271);
-                                                            let _e1543 = (bitcast<f32>((((_e1517 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1281);
-                                                            let _e1544 = (bitcast<f32>((((_e1517 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1291);
-                                                            let _e1547 = nodes.member[(0u + _e1509)].frame[0u];
-                                                            let _e1551 = nodes.member[(0u + _e1509)].frame[1u];
-                                                            let _e1555 = nodes.member[(0u + _e1509)].frame[2u];
-                                                            let _e1560 = ((bitcast<f32>(_e1547) - _e1057) * _e1271);
-                                                            let _e1561 = ((bitcast<f32>(_e1551) - _e1070) * _e1281);
-                                                            let _e1562 = ((bitcast<f32>(_e1555) - _e1083) * _e1291);
-                                                            let _e1570 = nodes.member[(0u + _e1509)].x;
-                                                            if (_e1271 < 0f) {
-                                                                let _e1581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1570.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1587 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.unnamed.root, _e1570.w), _e1581.unnamed_1);
-                                                                let _e1593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1587.unnamed, lt_bvh_traverse_Tree(_e1570.x, _e1587.unnamed_1.first_primitive));
-                                                                phi_2054_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1593.unnamed, lt_bvh_traverse_Tree(_e1593.unnamed_1.root, _e1570.y));
+                                                            let _e1516 = nodes.member[(0u + _e1508)].frame[3u];
+                                                            let _e1541 = (bitcast<f32>((((_e1516 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1270);
+                                                            let _e1542 = (bitcast<f32>((((_e1516 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1280);
+                                                            let _e1543 = (bitcast<f32>((((_e1516 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
+                                                            let _e1546 = nodes.member[(0u + _e1508)].frame[0u];
+                                                            let _e1550 = nodes.member[(0u + _e1508)].frame[1u];
+                                                            let _e1554 = nodes.member[(0u + _e1508)].frame[2u];
+                                                            let _e1559 = ((bitcast<f32>(_e1546) - _e1055) * _e1270);
+                                                            let _e1560 = ((bitcast<f32>(_e1550) - _e1068) * _e1280);
+                                                            let _e1561 = ((bitcast<f32>(_e1554) - _e1081) * _e1290);
+                                                            let _e1569 = nodes.member[(0u + _e1508)].x;
+                                                            if (_e1270 < 0f) {
+                                                                let _e1580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1569.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1580.unnamed.root, _e1569.w), _e1580.unnamed_1);
+                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1586.unnamed, lt_bvh_traverse_Tree(_e1569.x, _e1586.unnamed_1.first_primitive));
+                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1592.unnamed, lt_bvh_traverse_Tree(_e1592.unnamed_1.root, _e1569.y));
                                                             } else {
-                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1570.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1609.unnamed.root, _e1570.y), _e1609.unnamed_1);
-                                                                let _e1621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1615.unnamed, lt_bvh_traverse_Tree(_e1570.z, _e1615.unnamed_1.first_primitive));
-                                                                phi_2054_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1621.unnamed, lt_bvh_traverse_Tree(_e1621.unnamed_1.root, _e1570.w));
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1569.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1608.unnamed.root, _e1569.y), _e1608.unnamed_1);
+                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_bvh_traverse_Tree(_e1569.z, _e1614.unnamed_1.first_primitive));
+                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1620.unnamed, lt_bvh_traverse_Tree(_e1620.unnamed_1.root, _e1569.w));
                                                             }
-                                                            let _e1629 = phi_2054_;
-                                                            let _e1639 = nodes.member[(0u + _e1509)].y;
-                                                            if (_e1281 < 0f) {
-                                                                let _e1650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1639.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.unnamed.root, _e1639.w), _e1650.unnamed_1);
-                                                                let _e1662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1656.unnamed, lt_bvh_traverse_Tree(_e1639.x, _e1656.unnamed_1.first_primitive));
-                                                                phi_2081_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1662.unnamed, lt_bvh_traverse_Tree(_e1662.unnamed_1.root, _e1639.y));
+                                                            let _e1628 = phi_1805_;
+                                                            let _e1638 = nodes.member[(0u + _e1508)].y;
+                                                            if (_e1280 < 0f) {
+                                                                let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1649.unnamed.root, _e1638.w), _e1649.unnamed_1);
+                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_bvh_traverse_Tree(_e1638.x, _e1655.unnamed_1.first_primitive));
+                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1661.unnamed, lt_bvh_traverse_Tree(_e1661.unnamed_1.root, _e1638.y));
                                                             } else {
-                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1639.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1678.unnamed.root, _e1639.y), _e1678.unnamed_1);
-                                                                let _e1690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1684.unnamed, lt_bvh_traverse_Tree(_e1639.z, _e1684.unnamed_1.first_primitive));
-                                                                phi_2081_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1690.unnamed, lt_bvh_traverse_Tree(_e1690.unnamed_1.root, _e1639.w));
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1677.unnamed.root, _e1638.y), _e1677.unnamed_1);
+                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1638.z, _e1683.unnamed_1.first_primitive));
+                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1689.unnamed, lt_bvh_traverse_Tree(_e1689.unnamed_1.root, _e1638.w));
                                                             }
-                                                            let _e1698 = phi_2081_;
-                                                            let _e1708 = nodes.member[(0u + _e1509)].z;
-                                                            if (_e1291 < 0f) {
-                                                                let _e1719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1708.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.unnamed.root, _e1708.w), _e1719.unnamed_1);
-                                                                let _e1731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1725.unnamed, lt_bvh_traverse_Tree(_e1708.x, _e1725.unnamed_1.first_primitive));
-                                                                phi_2108_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1731.unnamed, lt_bvh_traverse_Tree(_e1731.unnamed_1.root, _e1708.y));
+                                                            let _e1697 = phi_1832_;
+                                                            let _e1707 = nodes.member[(0u + _e1508)].z;
+                                                            if (_e1290 < 0f) {
+                                                                let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1718.unnamed.root, _e1707.w), _e1718.unnamed_1);
+                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_bvh_traverse_Tree(_e1707.x, _e1724.unnamed_1.first_primitive));
+                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1730.unnamed, lt_bvh_traverse_Tree(_e1730.unnamed_1.root, _e1707.y));
                                                             } else {
-                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1708.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1747.unnamed.root, _e1708.y), _e1747.unnamed_1);
-                                                                let _e1759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1753.unnamed, lt_bvh_traverse_Tree(_e1708.z, _e1753.unnamed_1.first_primitive));
-                                                                phi_2108_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1759.unnamed, lt_bvh_traverse_Tree(_e1759.unnamed_1.root, _e1708.w));
+                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1746.unnamed.root, _e1707.y), _e1746.unnamed_1);
+                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_bvh_traverse_Tree(_e1707.z, _e1752.unnamed_1.first_primitive));
+                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1758.unnamed, lt_bvh_traverse_Tree(_e1758.unnamed_1.root, _e1707.w));
                                                             }
-                                                            let _e1767 = phi_2108_;
-                                                            phi_2114_ = 0u;
-                                                            phi_2117_ = 0u;
+                                                            let _e1766 = phi_1859_;
+                                                            phi_1865_ = 0u;
+                                                            phi_1868_ = 0u;
                                                             loop {
-                                                                let _e1777 = phi_2114_;
-                                                                let _e1779 = phi_2117_;
-                                                                local_7 = _e1779;
-                                                                local_8 = _e1779;
-                                                                local_9 = _e1779;
-                                                                let _e1780 = (_e1777 < 8u);
-                                                                if _e1780 {
-                                                                    let _e1782 = (_e1777 >> bitcast<u32>(2i));
-                                                                    let _e1783 = (_e1777 & 3u);
-                                                                    if (_e1782 == 0u) {
-                                                                        phi_2131_ = _e1629.unnamed.root;
+                                                                let _e1776 = phi_1865_;
+                                                                let _e1778 = phi_1868_;
+                                                                local_5 = _e1778;
+                                                                local_6 = _e1778;
+                                                                local_7 = _e1778;
+                                                                let _e1779 = (_e1776 < 8u);
+                                                                if _e1779 {
+                                                                    let _e1781 = (_e1776 >> bitcast<u32>(2i));
+                                                                    let _e1782 = (_e1776 & 3u);
+                                                                    if (_e1781 == 0u) {
+                                                                        phi_1882_ = _e1628.unnamed.root;
                                                                     } else {
-                                                                        phi_2131_ = _e1629.unnamed.first_primitive;
+                                                                        phi_1882_ = _e1628.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1786 = phi_2131_;
-                                                                    if (_e1782 == 0u) {
-                                                                        phi_2141_ = _e1698.unnamed.root;
+                                                                    let _e1785 = phi_1882_;
+                                                                    if (_e1781 == 0u) {
+                                                                        phi_1892_ = _e1697.unnamed.root;
                                                                     } else {
-                                                                        phi_2141_ = _e1698.unnamed.first_primitive;
+                                                                        phi_1892_ = _e1697.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1795 = phi_2141_;
-                                                                    if (_e1782 == 0u) {
-                                                                        phi_2151_ = _e1767.unnamed.root;
+                                                                    let _e1794 = phi_1892_;
+                                                                    if (_e1781 == 0u) {
+                                                                        phi_1902_ = _e1766.unnamed.root;
                                                                     } else {
-                                                                        phi_2151_ = _e1767.unnamed.first_primitive;
+                                                                        phi_1902_ = _e1766.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1804 = phi_2151_;
-                                                                    let _e1817 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1786 >> bitcast<u32>(((_e1783 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 - _e1319)), ((f32(((_e1795 >> bitcast<u32>(((_e1783 * 8u) & 31u))) & 255u)) * _e1543) + (_e1561 - _e1320)));
-                                                                    let _e1818 = core_intrinsics_maximum_number_nsz_f32_(_e1817, ((f32(((_e1804 >> bitcast<u32>(((_e1783 * 8u) & 31u))) & 255u)) * _e1544) + (_e1562 - _e1321)));
-                                                                    if (_e1782 == 0u) {
-                                                                        phi_2169_ = _e1629.unnamed_1.root;
+                                                                    let _e1803 = phi_1902_;
+                                                                    let _e1816 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1785 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 - _e1318)), ((f32(((_e1794 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 - _e1319)));
+                                                                    let _e1817 = core_intrinsics_maximum_number_nsz_f32_(_e1816, ((f32(((_e1803 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1543) + (_e1561 - _e1320)));
+                                                                    if (_e1781 == 0u) {
+                                                                        phi_1920_ = _e1628.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2169_ = _e1629.unnamed_1.first_primitive;
+                                                                        phi_1920_ = _e1628.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1821 = phi_2169_;
-                                                                    if (_e1782 == 0u) {
-                                                                        phi_2179_ = _e1698.unnamed_1.root;
+                                                                    let _e1820 = phi_1920_;
+                                                                    if (_e1781 == 0u) {
+                                                                        phi_1930_ = _e1697.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2179_ = _e1698.unnamed_1.first_primitive;
+                                                                        phi_1930_ = _e1697.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1830 = phi_2179_;
-                                                                    if (_e1782 == 0u) {
-                                                                        phi_2189_ = _e1767.unnamed_1.root;
+                                                                    let _e1829 = phi_1930_;
+                                                                    if (_e1781 == 0u) {
+                                                                        phi_1940_ = _e1766.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2189_ = _e1767.unnamed_1.first_primitive;
+                                                                        phi_1940_ = _e1766.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1839 = phi_2189_;
-                                                                    let _e1852 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1821 >> bitcast<u32>(((_e1783 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 + _e1319)), ((f32(((_e1830 >> bitcast<u32>(((_e1783 * 8u) & 31u))) & 255u)) * _e1543) + (_e1561 + _e1320)));
-                                                                    let _e1853 = core_intrinsics_minimum_number_nsz_f32_(_e1852, ((f32(((_e1839 >> bitcast<u32>(((_e1783 * 8u) & 31u))) & 255u)) * _e1544) + (_e1562 + _e1321)));
-                                                                    if (_e1818 <= _e1853) {
-                                                                        if (_e1818 <= _e1507.t) {
-                                                                            if (_e1853 >= _e147.tmin) {
-                                                                                if (_e1782 == 0u) {
-                                                                                    let _e1860 = nodes.member[(0u + _e1509)].links[2u];
-                                                                                    phi_2225_ = _e1860;
+                                                                    let _e1838 = phi_1940_;
+                                                                    let _e1851 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1820 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 + _e1318)), ((f32(((_e1829 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 + _e1319)));
+                                                                    let _e1852 = core_intrinsics_minimum_number_nsz_f32_(_e1851, ((f32(((_e1838 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1543) + (_e1561 + _e1320)));
+                                                                    if (_e1817 <= _e1852) {
+                                                                        if (_e1817 <= _e1506.t) {
+                                                                            if (_e1852 >= _e145.tmin) {
+                                                                                if (_e1781 == 0u) {
+                                                                                    let _e1859 = nodes.member[(0u + _e1508)].links[2u];
+                                                                                    phi_1976_ = _e1859;
                                                                                 } else {
-                                                                                    let _e1863 = nodes.member[(0u + _e1509)].links[3u];
-                                                                                    phi_2225_ = _e1863;
+                                                                                    let _e1862 = nodes.member[(0u + _e1508)].links[3u];
+                                                                                    phi_1976_ = _e1862;
                                                                                 }
-                                                                                let _e1865 = phi_2225_;
-                                                                                let _e1870 = ((_e1865 >> bitcast<u32>(((_e1783 * 8u) & 31u))) & 255u);
-                                                                                let _e1871 = (_e1870 & 31u);
-                                                                                if (_e1871 >= 24u) {
-                                                                                    phi_2238_ = (24u + ((_e1871 - 24u) ^ _e1369));
+                                                                                let _e1864 = phi_1976_;
+                                                                                let _e1869 = ((_e1864 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u);
+                                                                                let _e1870 = (_e1869 & 31u);
+                                                                                if (_e1870 >= 24u) {
+                                                                                    phi_1989_ = (24u + ((_e1870 - 24u) ^ _e1368));
                                                                                 } else {
-                                                                                    phi_2238_ = _e1871;
+                                                                                    phi_1989_ = _e1870;
                                                                                 }
-                                                                                let _e1877 = phi_2238_;
-                                                                                phi_2243_ = (_e1779 | ((_e1870 >> bitcast<u32>(5i)) << bitcast<u32>((_e1877 & 31u))));
+                                                                                let _e1876 = phi_1989_;
+                                                                                phi_1994_ = (_e1778 | ((_e1869 >> bitcast<u32>(5i)) << bitcast<u32>((_e1876 & 31u))));
                                                                             } else {
-                                                                                phi_2243_ = _e1779;
+                                                                                phi_1994_ = _e1778;
                                                                             }
-                                                                            let _e1885 = phi_2243_;
-                                                                            phi_2244_ = _e1885;
+                                                                            let _e1884 = phi_1994_;
+                                                                            phi_1995_ = _e1884;
                                                                         } else {
-                                                                            phi_2244_ = _e1779;
+                                                                            phi_1995_ = _e1778;
                                                                         }
-                                                                        let _e1887 = phi_2244_;
-                                                                        phi_2245_ = _e1887;
+                                                                        let _e1886 = phi_1995_;
+                                                                        phi_1996_ = _e1886;
                                                                     } else {
-                                                                        phi_2245_ = _e1779;
+                                                                        phi_1996_ = _e1778;
                                                                     }
-                                                                    let _e1889 = phi_2245_;
-                                                                    phi_2115_ = (_e1777 + 1u);
-                                                                    phi_2118_ = _e1889;
+                                                                    let _e1888 = phi_1996_;
+                                                                    phi_1866_ = (_e1776 + 1u);
+                                                                    phi_1869_ = _e1888;
                                                                 } else {
-                                                                    phi_2115_ = u32();
-                                                                    phi_2118_ = u32();
+                                                                    phi_1866_ = u32();
+                                                                    phi_1869_ = u32();
                                                                 }
-                                                                let _e1892 = phi_2115_;
-                                                                let _e1894 = phi_2118_;
+                                                                let _e1891 = phi_1866_;
+                                                                let _e1893 = phi_1869_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2114_ = _e1892;
-                                                                    phi_2117_ = _e1894;
-                                                                    break if !(_e1780);
+                                                                    phi_1865_ = _e1891;
+                                                                    phi_1868_ = _e1893;
+                                                                    break if !(_e1779);
                                                                 }
                                                             }
-                                                            let _e1898 = nodes.member[(0u + _e1509)].links[0u];
-                                                            let _e1902 = nodes.member[(0u + _e1509)].frame[3u];
-                                                            let _e1906 = local_7;
-                                                            if ((_e1906 & 4278190080u) == 0u) {
+                                                            let _e1897 = nodes.member[(0u + _e1508)].links[0u];
+                                                            let _e1901 = nodes.member[(0u + _e1508)].frame[3u];
+                                                            let _e1905 = local_5;
+                                                            if ((_e1905 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1910 = local_2.group_mask;
-                                                                if ((_e1910 & 4278190080u) == 0u) {
+                                                                let _e1909 = local.group_mask;
+                                                                if ((_e1909 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1914 = local_2.len;
-                                                                    if (_e1914 < 32u) {
-                                                                        let _e1917 = local_2.group;
-                                                                        let _e1919 = local_2.len;
-                                                                        if (_e1919 < 32u) {
+                                                                    let _e1913 = local.len;
+                                                                    if (_e1913 < 32u) {
+                                                                        let _e1916 = local.group;
+                                                                        let _e1918 = local.len;
+                                                                        if (_e1918 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.first[(0u + _e1919)] = _e1917;
-                                                                        let _e1925 = local_2.group_mask;
-                                                                        let _e1927 = local_2.len;
-                                                                        if (_e1927 < 32u) {
+                                                                        local.first[(0u + _e1918)] = _e1916;
+                                                                        let _e1924 = local.group_mask;
+                                                                        let _e1926 = local.len;
+                                                                        if (_e1926 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.mask[(0u + _e1927)] = _e1925;
-                                                                        let _e1934 = local_2.len;
-                                                                        local_2.len = (_e1934 + 1u);
+                                                                        local.mask[(0u + _e1926)] = _e1924;
+                                                                        let _e1933 = local.len;
+                                                                        local.len = (_e1933 + 1u);
                                                                     }
                                                                 }
-                                                                local_2.group = (_e1131 + _e1898);
-                                                                let _e1938 = local_8;
-                                                                local_2.group_mask = ((_e1938 & 4278190080u) | (_e1902 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1130 + _e1897);
+                                                                let _e1937 = local_6;
+                                                                local.group_mask = ((_e1937 & 4278190080u) | (_e1901 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1943 = local_9;
-                                                            phi_2303_ = _e1507;
-                                                            phi_2306_ = (_e1943 & 16777215u);
+                                                            let _e1942 = local_7;
+                                                            phi_2054_ = _e1506;
+                                                            phi_2057_ = (_e1942 & 16777215u);
                                                             loop {
-                                                                let _e1946 = phi_2303_;
-                                                                let _e1948 = phi_2306_;
-                                                                local_10 = _e1946;
-                                                                if (_e1948 == 0u) {
-                                                                    phi_2304_ = lt_bvh_Hit();
-                                                                    phi_2307_ = u32();
-                                                                    phi_2830_ = false;
+                                                                let _e1945 = phi_2054_;
+                                                                let _e1947 = phi_2057_;
+                                                                local_8 = _e1945;
+                                                                if (_e1947 == 0u) {
+                                                                    phi_2055_ = lt_bvh_Hit();
+                                                                    phi_2058_ = u32();
+                                                                    phi_2602_ = false;
                                                                 } else {
-                                                                    let _e1952 = nodes.member[(0u + _e1509)].links[1u];
-                                                                    let _e1957 = ((_e1133 + _e1952) + select(firstTrailingBit(_e1948), 32u, (_e1948 == 0u)));
-                                                                    if (_e1957 < _e72) {
+                                                                    let _e1951 = nodes.member[(0u + _e1508)].links[1u];
+                                                                    let _e1956 = ((_e1132 + _e1951) + select(firstTrailingBit(_e1947), 32u, (_e1947 == 0u)));
+                                                                    if (_e1956 < _e70) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1964 = triangles.member[(0u + _e1957)].v0_;
-                                                                    let _e1966 = (_e1964.x - _e1057);
-                                                                    let _e1968 = (_e1964.y - _e1070);
-                                                                    let _e1970 = (_e1964.z - _e1083);
-                                                                    if (_e1342 == 0u) {
-                                                                        phi_2351_ = vec3<f32>(_e1968, _e1970, _e1966);
+                                                                    let _e1963 = triangles.member[(0u + _e1956)].v0_;
+                                                                    let _e1965 = (_e1963.x - _e1055);
+                                                                    let _e1967 = (_e1963.y - _e1068);
+                                                                    let _e1969 = (_e1963.z - _e1081);
+                                                                    if (_e1341 == 0u) {
+                                                                        phi_2102_ = vec3<f32>(_e1967, _e1969, _e1965);
                                                                     } else {
-                                                                        if (_e1342 == 1u) {
-                                                                            phi_2350_ = vec3<f32>(_e1970, _e1966, _e1968);
+                                                                        if (_e1341 == 1u) {
+                                                                            phi_2101_ = vec3<f32>(_e1969, _e1965, _e1967);
                                                                         } else {
-                                                                            phi_2350_ = (_e1964 - vec3<f32>(_e1057, _e1070, _e1083));
+                                                                            phi_2101_ = (_e1963 - vec3<f32>(_e1055, _e1068, _e1081));
                                                                         }
-                                                                        let _e1978 = phi_2350_;
-                                                                        phi_2351_ = _e1978;
+                                                                        let _e1977 = phi_2101_;
+                                                                        phi_2102_ = _e1977;
                                                                     }
-                                                                    let _e1980 = phi_2351_;
-                                                                    let _e1984 = (_e1980.x - (_e1353 * _e1980.z));
-                                                                    let _e1988 = (_e1980.y - (_e1356 * _e1980.z));
-                                                                    let _e1992 = triangles.member[(0u + _e1957)].v1_;
-                                                                    let _e1994 = (_e1992.x - _e1057);
-                                                                    let _e1996 = (_e1992.y - _e1070);
-                                                                    let _e1998 = (_e1992.z - _e1083);
-                                                                    if (_e1342 == 0u) {
-                                                                        phi_2383_ = vec3<f32>(_e1996, _e1998, _e1994);
+                                                                    let _e1979 = phi_2102_;
+                                                                    let _e1983 = (_e1979.x - (_e1352 * _e1979.z));
+                                                                    let _e1987 = (_e1979.y - (_e1355 * _e1979.z));
+                                                                    let _e1991 = triangles.member[(0u + _e1956)].v1_;
+                                                                    let _e1993 = (_e1991.x - _e1055);
+                                                                    let _e1995 = (_e1991.y - _e1068);
+                                                                    let _e1997 = (_e1991.z - _e1081);
+                                                                    if (_e1341 == 0u) {
+                                                                        phi_2134_ = vec3<f32>(_e1995, _e1997, _e1993);
                                                                     } else {
-                                                                        if (_e1342 == 1u) {
-                                                                            phi_2382_ = vec3<f32>(_e1998, _e1994, _e1996);
+                                                                        if (_e1341 == 1u) {
+                                                                            phi_2133_ = vec3<f32>(_e1997, _e1993, _e1995);
                                                                         } else {
-                                                                            phi_2382_ = (_e1992 - vec3<f32>(_e1057, _e1070, _e1083));
+                                                                            phi_2133_ = (_e1991 - vec3<f32>(_e1055, _e1068, _e1081));
                                                                         }
-                                                                        let _e2006 = phi_2382_;
-                                                                        phi_2383_ = _e2006;
+                                                                        let _e2005 = phi_2133_;
+                                                                        phi_2134_ = _e2005;
                                                                     }
-                                                                    let _e2008 = phi_2383_;
-                                                                    let _e2012 = (_e2008.x - (_e1353 * _e2008.z));
-                                                                    let _e2016 = (_e2008.y - (_e1356 * _e2008.z));
-                                                                    let _e2020 = triangles.member[(0u + _e1957)].v2_;
-                                                                    let _e2022 = (_e2020.x - _e1057);
-                                                                    let _e2024 = (_e2020.y - _e1070);
-                                                                    let _e2026 = (_e2020.z - _e1083);
-                                                                    if (_e1342 == 0u) {
-                                                                        phi_2415_ = vec3<f32>(_e2024, _e2026, _e2022);
+                                                                    let _e2007 = phi_2134_;
+                                                                    let _e2011 = (_e2007.x - (_e1352 * _e2007.z));
+                                                                    let _e2015 = (_e2007.y - (_e1355 * _e2007.z));
+                                                                    let _e2019 = triangles.member[(0u + _e1956)].v2_;
+                                                                    let _e2021 = (_e2019.x - _e1055);
+                                                                    let _e2023 = (_e2019.y - _e1068);
+                                                                    let _e2025 = (_e2019.z - _e1081);
+                                                                    if (_e1341 == 0u) {
+                                                                        phi_2166_ = vec3<f32>(_e2023, _e2025, _e2021);
                                                                     } else {
-                                                                        if (_e1342 == 1u) {
-                                                                            phi_2414_ = vec3<f32>(_e2026, _e2022, _e2024);
+                                                                        if (_e1341 == 1u) {
+                                                                            phi_2165_ = vec3<f32>(_e2025, _e2021, _e2023);
                                                                         } else {
-                                                                            phi_2414_ = (_e2020 - vec3<f32>(_e1057, _e1070, _e1083));
+                                                                            phi_2165_ = (_e2019 - vec3<f32>(_e1055, _e1068, _e1081));
                                                                         }
-                                                                        let _e2034 = phi_2414_;
-                                                                        phi_2415_ = _e2034;
+                                                                        let _e2033 = phi_2165_;
+                                                                        phi_2166_ = _e2033;
                                                                     }
-                                                                    let _e2036 = phi_2415_;
-                                                                    let _e2040 = (_e2036.x - (_e1353 * _e2036.z));
-                                                                    let _e2044 = (_e2036.y - (_e1356 * _e2036.z));
-                                                                    if (_e2012 < _e2040) {
-                                                                        phi_2436_ = true;
+                                                                    let _e2035 = phi_2166_;
+                                                                    let _e2039 = (_e2035.x - (_e1352 * _e2035.z));
+                                                                    let _e2043 = (_e2035.y - (_e1355 * _e2035.z));
+                                                                    if (_e2011 < _e2039) {
+                                                                        phi_2187_ = true;
                                                                     } else {
-                                                                        if (_e2012 == _e2040) {
-                                                                            phi_2435_ = (_e2016 < _e2044);
+                                                                        if (_e2011 == _e2039) {
+                                                                            phi_2186_ = (_e2015 < _e2043);
                                                                         } else {
-                                                                            phi_2435_ = false;
+                                                                            phi_2186_ = false;
                                                                         }
-                                                                        let _e2051 = phi_2435_;
-                                                                        phi_2436_ = _e2051;
+                                                                        let _e2050 = phi_2186_;
+                                                                        phi_2187_ = _e2050;
                                                                     }
-                                                                    let _e2053 = phi_2436_;
-                                                                    if _e2053 {
-                                                                        phi_2440_ = _e2044;
-                                                                        phi_2441_ = _e2040;
-                                                                        phi_2442_ = _e2016;
-                                                                        phi_2443_ = _e2012;
+                                                                    let _e2052 = phi_2187_;
+                                                                    if _e2052 {
+                                                                        phi_2191_ = _e2043;
+                                                                        phi_2192_ = _e2039;
+                                                                        phi_2193_ = _e2015;
+                                                                        phi_2194_ = _e2011;
                                                                     } else {
-                                                                        phi_2440_ = _e2016;
-                                                                        phi_2441_ = _e2012;
-                                                                        phi_2442_ = _e2044;
-                                                                        phi_2443_ = _e2040;
+                                                                        phi_2191_ = _e2015;
+                                                                        phi_2192_ = _e2011;
+                                                                        phi_2193_ = _e2043;
+                                                                        phi_2194_ = _e2039;
                                                                     }
-                                                                    let _e2055 = phi_2440_;
-                                                                    let _e2057 = phi_2441_;
-                                                                    let _e2059 = phi_2442_;
-                                                                    let _e2061 = phi_2443_;
-                                                                    let _e2064 = ((_e2061 * _e2055) - (_e2059 * _e2057));
-                                                                    if _e2053 {
-                                                                        phi_2451_ = -(_e2064);
+                                                                    let _e2054 = phi_2191_;
+                                                                    let _e2056 = phi_2192_;
+                                                                    let _e2058 = phi_2193_;
+                                                                    let _e2060 = phi_2194_;
+                                                                    let _e2063 = ((_e2060 * _e2054) - (_e2058 * _e2056));
+                                                                    if _e2052 {
+                                                                        phi_2202_ = -(_e2063);
                                                                     } else {
-                                                                        phi_2451_ = _e2064;
+                                                                        phi_2202_ = _e2063;
                                                                     }
-                                                                    let _e2067 = phi_2451_;
-                                                                    if (_e2040 < _e1984) {
-                                                                        phi_2462_ = true;
+                                                                    let _e2066 = phi_2202_;
+                                                                    if (_e2039 < _e1983) {
+                                                                        phi_2213_ = true;
                                                                     } else {
-                                                                        if (_e2040 == _e1984) {
-                                                                            phi_2461_ = (_e2044 < _e1988);
+                                                                        if (_e2039 == _e1983) {
+                                                                            phi_2212_ = (_e2043 < _e1987);
                                                                         } else {
-                                                                            phi_2461_ = false;
+                                                                            phi_2212_ = false;
                                                                         }
-                                                                        let _e2072 = phi_2461_;
-                                                                        phi_2462_ = _e2072;
+                                                                        let _e2071 = phi_2212_;
+                                                                        phi_2213_ = _e2071;
                                                                     }
-                                                                    let _e2074 = phi_2462_;
-                                                                    if _e2074 {
-                                                                        phi_2466_ = _e1988;
-                                                                        phi_2467_ = _e1984;
-                                                                        phi_2468_ = _e2044;
-                                                                        phi_2469_ = _e2040;
+                                                                    let _e2073 = phi_2213_;
+                                                                    if _e2073 {
+                                                                        phi_2217_ = _e1987;
+                                                                        phi_2218_ = _e1983;
+                                                                        phi_2219_ = _e2043;
+                                                                        phi_2220_ = _e2039;
                                                                     } else {
-                                                                        phi_2466_ = _e2044;
-                                                                        phi_2467_ = _e2040;
-                                                                        phi_2468_ = _e1988;
-                                                                        phi_2469_ = _e1984;
+                                                                        phi_2217_ = _e2043;
+                                                                        phi_2218_ = _e2039;
+                                                                        phi_2219_ = _e1987;
+                                                                        phi_2220_ = _e1983;
                                                                     }
-                                                                    let _e2076 = phi_2466_;
-                                                                    let _e2078 = phi_2467_;
-                                                                    let _e2080 = phi_2468_;
-                                                                    let _e2082 = phi_2469_;
-                                                                    let _e2085 = ((_e2082 * _e2076) - (_e2080 * _e2078));
-                                                                    if _e2074 {
-                                                                        phi_2477_ = -(_e2085);
+                                                                    let _e2075 = phi_2217_;
+                                                                    let _e2077 = phi_2218_;
+                                                                    let _e2079 = phi_2219_;
+                                                                    let _e2081 = phi_2220_;
+                                                                    let _e2084 = ((_e2081 * _e2075) - (_e2079 * _e2077));
+                                                                    if _e2073 {
+                                                                        phi_2228_ = -(_e2084);
                                                                     } else {
-                                                                        phi_2477_ = _e2085;
+                                                                        phi_2228_ = _e2084;
                                                                     }
-                                                                    let _e2088 = phi_2477_;
-                                                                    if (_e1984 < _e2012) {
-                                                                        phi_2488_ = true;
+                                                                    let _e2087 = phi_2228_;
+                                                                    if (_e1983 < _e2011) {
+                                                                        phi_2239_ = true;
                                                                     } else {
-                                                                        if (_e1984 == _e2012) {
-                                                                            phi_2487_ = (_e1988 < _e2016);
+                                                                        if (_e1983 == _e2011) {
+                                                                            phi_2238_ = (_e1987 < _e2015);
                                                                         } else {
-                                                                            phi_2487_ = false;
+                                                                            phi_2238_ = false;
                                                                         }
-                                                                        let _e2093 = phi_2487_;
-                                                                        phi_2488_ = _e2093;
+                                                                        let _e2092 = phi_2238_;
+                                                                        phi_2239_ = _e2092;
                                                                     }
-                                                                    let _e2095 = phi_2488_;
-                                                                    if _e2095 {
-                                                                        phi_2492_ = _e2016;
-                                                                        phi_2493_ = _e2012;
-                                                                        phi_2494_ = _e1988;
-                                                                        phi_2495_ = _e1984;
+                                                                    let _e2094 = phi_2239_;
+                                                                    if _e2094 {
+                                                                        phi_2243_ = _e2015;
+                                                                        phi_2244_ = _e2011;
+                                                                        phi_2245_ = _e1987;
+                                                                        phi_2246_ = _e1983;
                                                                     } else {
-                                                                        phi_2492_ = _e1988;
-                                                                        phi_2493_ = _e1984;
-                                                                        phi_2494_ = _e2016;
-                                                                        phi_2495_ = _e2012;
+                                                                        phi_2243_ = _e1987;
+                                                                        phi_2244_ = _e1983;
+                                                                        phi_2245_ = _e2015;
+                                                                        phi_2246_ = _e2011;
                                                                     }
-                                                                    let _e2097 = phi_2492_;
-                                                                    let _e2099 = phi_2493_;
-                                                                    let _e2101 = phi_2494_;
-                                                                    let _e2103 = phi_2495_;
-                                                                    let _e2106 = ((_e2103 * _e2097) - (_e2101 * _e2099));
-                                                                    if _e2095 {
-                                                                        phi_2503_ = -(_e2106);
+                                                                    let _e2096 = phi_2243_;
+                                                                    let _e2098 = phi_2244_;
+                                                                    let _e2100 = phi_2245_;
+                                                                    let _e2102 = phi_2246_;
+                                                                    let _e2105 = ((_e2102 * _e2096) - (_e2100 * _e2098));
+                                                                    if _e2094 {
+                                                                        phi_2254_ = -(_e2105);
                                                                     } else {
-                                                                        phi_2503_ = _e2106;
+                                                                        phi_2254_ = _e2105;
                                                                     }
-                                                                    let _e2109 = phi_2503_;
-                                                                    if (_e2067 >= 0f) {
-                                                                        if (_e2088 >= 0f) {
-                                                                            if (_e2109 >= 0f) {
-                                                                                phi_2518_ = ((_e2067 + _e2088) + _e2109);
-                                                                                phi_2519_ = false;
+                                                                    let _e2108 = phi_2254_;
+                                                                    if (_e2066 >= 0f) {
+                                                                        if (_e2087 >= 0f) {
+                                                                            if (_e2108 >= 0f) {
+                                                                                phi_2269_ = ((_e2066 + _e2087) + _e2108);
+                                                                                phi_2270_ = false;
                                                                             } else {
-                                                                                phi_2518_ = f32();
-                                                                                phi_2519_ = true;
+                                                                                phi_2269_ = f32();
+                                                                                phi_2270_ = true;
                                                                             }
-                                                                            let _e2116 = phi_2518_;
-                                                                            let _e2118 = phi_2519_;
-                                                                            phi_2520_ = _e2116;
-                                                                            phi_2521_ = _e2118;
+                                                                            let _e2115 = phi_2269_;
+                                                                            let _e2117 = phi_2270_;
+                                                                            phi_2271_ = _e2115;
+                                                                            phi_2272_ = _e2117;
                                                                         } else {
-                                                                            phi_2520_ = f32();
-                                                                            phi_2521_ = true;
+                                                                            phi_2271_ = f32();
+                                                                            phi_2272_ = true;
                                                                         }
-                                                                        let _e2120 = phi_2520_;
-                                                                        let _e2122 = phi_2521_;
-                                                                        phi_2522_ = _e2120;
-                                                                        phi_2523_ = _e2122;
+                                                                        let _e2119 = phi_2271_;
+                                                                        let _e2121 = phi_2272_;
+                                                                        phi_2273_ = _e2119;
+                                                                        phi_2274_ = _e2121;
                                                                     } else {
-                                                                        phi_2522_ = f32();
-                                                                        phi_2523_ = true;
+                                                                        phi_2273_ = f32();
+                                                                        phi_2274_ = true;
                                                                     }
-                                                                    let _e2124 = phi_2522_;
-                                                                    let _e2126 = phi_2523_;
-                                                                    if _e2126 {
-                                                                        if (_e2067 <= 0f) {
-                                                                            if (_e2088 <= 0f) {
-                                                                                let _e2129 = (_e2109 <= 0f);
-                                                                                if _e2129 {
+                                                                    let _e2123 = phi_2273_;
+                                                                    let _e2125 = phi_2274_;
+                                                                    if _e2125 {
+                                                                        if (_e2066 <= 0f) {
+                                                                            if (_e2087 <= 0f) {
+                                                                                let _e2128 = (_e2108 <= 0f);
+                                                                                if _e2128 {
                                                                                 }
-                                                                                phi_2541_ = ((_e2067 + _e2088) + _e2109);
-                                                                                phi_2542_ = false;
-                                                                                phi_2543_ = _e2129;
+                                                                                phi_2292_ = ((_e2066 + _e2087) + _e2108);
+                                                                                phi_2293_ = false;
+                                                                                phi_2294_ = _e2128;
                                                                             } else {
-                                                                                phi_2541_ = f32();
-                                                                                phi_2542_ = true;
-                                                                                phi_2543_ = false;
+                                                                                phi_2292_ = f32();
+                                                                                phi_2293_ = true;
+                                                                                phi_2294_ = false;
                                                                             }
-                                                                            let _e2133 = phi_2541_;
-                                                                            let _e2135 = phi_2542_;
-                                                                            let _e2137 = phi_2543_;
-                                                                            phi_2544_ = _e2133;
-                                                                            phi_2545_ = _e2135;
-                                                                            phi_2546_ = _e2137;
+                                                                            let _e2132 = phi_2292_;
+                                                                            let _e2134 = phi_2293_;
+                                                                            let _e2136 = phi_2294_;
+                                                                            phi_2295_ = _e2132;
+                                                                            phi_2296_ = _e2134;
+                                                                            phi_2297_ = _e2136;
                                                                         } else {
-                                                                            phi_2544_ = f32();
-                                                                            phi_2545_ = true;
-                                                                            phi_2546_ = false;
+                                                                            phi_2295_ = f32();
+                                                                            phi_2296_ = true;
+                                                                            phi_2297_ = false;
                                                                         }
-                                                                        let _e2139 = phi_2544_;
-                                                                        let _e2141 = phi_2545_;
-                                                                        let _e2143 = phi_2546_;
-                                                                        if _e2141 {
-                                                                            phi_2550_ = false;
+                                                                        let _e2138 = phi_2295_;
+                                                                        let _e2140 = phi_2296_;
+                                                                        let _e2142 = phi_2297_;
+                                                                        if _e2140 {
+                                                                            phi_2301_ = false;
                                                                         } else {
-                                                                            phi_2550_ = _e2143;
+                                                                            phi_2301_ = _e2142;
                                                                         }
-                                                                        let _e2145 = phi_2550_;
-                                                                        phi_2551_ = _e2139;
-                                                                        phi_2552_ = _e2145;
+                                                                        let _e2144 = phi_2301_;
+                                                                        phi_2302_ = _e2138;
+                                                                        phi_2303_ = _e2144;
                                                                     } else {
-                                                                        phi_2551_ = _e2124;
-                                                                        phi_2552_ = true;
+                                                                        phi_2302_ = _e2123;
+                                                                        phi_2303_ = true;
                                                                     }
-                                                                    let _e2147 = phi_2551_;
-                                                                    let _e2149 = phi_2552_;
-                                                                    if _e2149 {
-                                                                        let _e2150 = (_e2147 == 0f);
-                                                                        if _e2150 {
-                                                                            phi_2750_ = lt_bvh_triangle_Intersection();
+                                                                    let _e2146 = phi_2302_;
+                                                                    let _e2148 = phi_2303_;
+                                                                    if _e2148 {
+                                                                        let _e2149 = (_e2146 == 0f);
+                                                                        if _e2149 {
+                                                                            phi_2516_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2517_ = false;
                                                                         } else {
-                                                                            let _e2156 = ((((_e2067 * (_e1358 * _e1980.z)) + (_e2088 * (_e1358 * _e2008.z))) + (_e2109 * (_e1358 * _e2036.z))) / _e2147);
-                                                                            let _e2158 = triangles.member[(0u + _e1957)].v0_;
-                                                                            let _e2160 = triangles.member[(0u + _e1957)].v1_;
-                                                                            if (_e2158.x < _e2160.x) {
-                                                                                phi_2578_ = _e2158.x;
-                                                                            } else {
-                                                                                phi_2578_ = _e2160.x;
-                                                                            }
-                                                                            let _e2167 = phi_2578_;
-                                                                            if (_e2158.y < _e2160.y) {
-                                                                                phi_2587_ = _e2158.y;
-                                                                            } else {
-                                                                                phi_2587_ = _e2160.y;
-                                                                            }
-                                                                            let _e2174 = phi_2587_;
-                                                                            if (_e2158.z < _e2160.z) {
-                                                                                phi_2596_ = _e2158.z;
-                                                                            } else {
-                                                                                phi_2596_ = _e2160.z;
-                                                                            }
-                                                                            let _e2181 = phi_2596_;
-                                                                            let _e2183 = triangles.member[(0u + _e1957)].v2_;
-                                                                            if (_e2167 < _e2183.x) {
-                                                                                phi_2605_ = _e2167;
-                                                                            } else {
-                                                                                phi_2605_ = _e2183.x;
-                                                                            }
-                                                                            let _e2188 = phi_2605_;
-                                                                            if (_e2174 < _e2183.y) {
-                                                                                phi_2612_ = _e2174;
-                                                                            } else {
-                                                                                phi_2612_ = _e2183.y;
-                                                                            }
-                                                                            let _e2193 = phi_2612_;
-                                                                            if (_e2181 < _e2183.z) {
-                                                                                phi_2619_ = _e2181;
-                                                                            } else {
-                                                                                phi_2619_ = _e2183.z;
-                                                                            }
-                                                                            let _e2198 = phi_2619_;
-                                                                            let _e2200 = triangles.member[(0u + _e1957)].v0_;
-                                                                            let _e2202 = triangles.member[(0u + _e1957)].v1_;
-                                                                            if (_e2200.x > _e2202.x) {
-                                                                                phi_2632_ = _e2200.x;
-                                                                            } else {
-                                                                                phi_2632_ = _e2202.x;
-                                                                            }
-                                                                            let _e2209 = phi_2632_;
-                                                                            if (_e2200.y > _e2202.y) {
-                                                                                phi_2641_ = _e2200.y;
-                                                                            } else {
-                                                                                phi_2641_ = _e2202.y;
-                                                                            }
-                                                                            let _e2216 = phi_2641_;
-                                                                            if (_e2200.z > _e2202.z) {
-                                                                                phi_2650_ = _e2200.z;
-                                                                            } else {
-                                                                                phi_2650_ = _e2202.z;
-                                                                            }
-                                                                            let _e2223 = phi_2650_;
-                                                                            let _e2225 = triangles.member[(0u + _e1957)].v2_;
-                                                                            if (_e2209 > _e2225.x) {
-                                                                                phi_2659_ = _e2209;
-                                                                            } else {
-                                                                                phi_2659_ = _e2225.x;
-                                                                            }
-                                                                            let _e2230 = phi_2659_;
-                                                                            if (_e2216 > _e2225.y) {
-                                                                                phi_2666_ = _e2216;
-                                                                            } else {
-                                                                                phi_2666_ = _e2225.y;
-                                                                            }
-                                                                            let _e2235 = phi_2666_;
-                                                                            if (_e2223 > _e2225.z) {
-                                                                                phi_2673_ = _e2223;
-                                                                            } else {
-                                                                                phi_2673_ = _e2225.z;
-                                                                            }
-                                                                            let _e2240 = phi_2673_;
-                                                                            let _e2244 = ((_e2188 - _e1057) * _e1271);
-                                                                            let _e2245 = ((_e2193 - _e1070) * _e1281);
-                                                                            let _e2246 = ((_e2198 - _e1083) * _e1291);
-                                                                            let _e2250 = ((_e2230 - _e1057) * _e1271);
-                                                                            let _e2251 = ((_e2235 - _e1070) * _e1281);
-                                                                            let _e2252 = ((_e2240 - _e1083) * _e1291);
-                                                                            if (_e2244 < _e2250) {
-                                                                                phi_2690_ = _e2244;
-                                                                            } else {
-                                                                                phi_2690_ = _e2250;
-                                                                            }
-                                                                            let _e2255 = phi_2690_;
-                                                                            if (_e2245 < _e2251) {
-                                                                                phi_2695_ = _e2245;
-                                                                            } else {
-                                                                                phi_2695_ = _e2251;
-                                                                            }
-                                                                            let _e2258 = phi_2695_;
-                                                                            if (_e2246 < _e2252) {
-                                                                                phi_2700_ = _e2246;
-                                                                            } else {
-                                                                                phi_2700_ = _e2252;
-                                                                            }
-                                                                            let _e2261 = phi_2700_;
-                                                                            if (_e2244 > _e2250) {
-                                                                                phi_2708_ = _e2244;
-                                                                            } else {
-                                                                                phi_2708_ = _e2250;
-                                                                            }
-                                                                            let _e2267 = phi_2708_;
-                                                                            if (_e2245 > _e2251) {
-                                                                                phi_2713_ = _e2245;
-                                                                            } else {
-                                                                                phi_2713_ = _e2251;
-                                                                            }
-                                                                            let _e2270 = phi_2713_;
-                                                                            if (_e2246 > _e2252) {
-                                                                                phi_2718_ = _e2246;
-                                                                            } else {
-                                                                                phi_2718_ = _e2252;
-                                                                            }
-                                                                            let _e2273 = phi_2718_;
-                                                                            let _e2277 = core_intrinsics_maximum_number_nsz_f32_((_e2255 - _e1326), (_e2258 - _e1327));
-                                                                            let _e2278 = core_intrinsics_maximum_number_nsz_f32_(_e2277, (_e2261 - _e1328));
-                                                                            let _e2279 = core_intrinsics_minimum_number_nsz_f32_((_e2267 + _e1326), (_e2270 + _e1327));
-                                                                            let _e2280 = core_intrinsics_minimum_number_nsz_f32_(_e2279, (_e2273 + _e1328));
-                                                                            if (_e2278 > _e1032) {
-                                                                                phi_2730_ = _e2278;
-                                                                            } else {
-                                                                                phi_2730_ = _e1032;
-                                                                            }
-                                                                            let _e2283 = phi_2730_;
-                                                                            if (_e2280 < _e1034) {
-                                                                                phi_2735_ = _e2280;
-                                                                            } else {
-                                                                                phi_2735_ = _e1034;
-                                                                            }
-                                                                            let _e2286 = phi_2735_;
-                                                                            if (_e2156 < _e2283) {
-                                                                                phi_2740_ = _e2283;
-                                                                            } else {
-                                                                                phi_2740_ = _e2156;
-                                                                            }
-                                                                            let _e2289 = phi_2740_;
-                                                                            if (_e2289 > _e2286) {
-                                                                                phi_2745_ = _e2286;
-                                                                            } else {
-                                                                                phi_2745_ = _e2289;
-                                                                            }
-                                                                            let _e2292 = phi_2745_;
-                                                                            phi_2750_ = lt_bvh_triangle_Intersection(_e2292, (_e2088 / _e2147), (_e2109 / _e2147), (_e2283 <= _e2286));
-                                                                        }
-                                                                        let _e2298 = phi_2750_;
-                                                                        phi_2751_ = _e2298;
-                                                                        phi_2752_ = _e2150;
-                                                                    } else {
-                                                                        phi_2751_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2752_ = true;
-                                                                    }
-                                                                    let _e2300 = phi_2751_;
-                                                                    let _e2302 = phi_2752_;
-                                                                    if _e2302 {
-                                                                        phi_2756_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                                                    } else {
-                                                                        phi_2756_ = _e2300;
-                                                                    }
-                                                                    let _e2304 = phi_2756_;
-                                                                    if _e2304.is_hit {
-                                                                        if (_e2304.t > _e147.tmin) {
-                                                                            if (_e2304.t < _e1946.t) {
-                                                                                phi_2804_ = true;
-                                                                            } else {
-                                                                                if (_e2304.t == _e1946.t) {
-                                                                                    if (_e1946.triangle != 4294967295u) {
-                                                                                        if (_e1957 < _e1946.triangle) {
-                                                                                            phi_2795_ = true;
-                                                                                        } else {
-                                                                                            if (_e1957 == _e1946.triangle) {
-                                                                                                phi_2794_ = (_e973 < _e1946.instance);
-                                                                                            } else {
-                                                                                                phi_2794_ = false;
-                                                                                            }
-                                                                                            let _e2322 = phi_2794_;
-                                                                                            phi_2795_ = _e2322;
-                                                                                        }
-                                                                                        let _e2324 = phi_2795_;
-                                                                                        phi_2796_ = _e2324;
-                                                                                        phi_2797_ = false;
+                                                                            let _e2155 = ((((_e2066 * (_e1357 * _e1979.z)) + (_e2087 * (_e1357 * _e2007.z))) + (_e2108 * (_e1357 * _e2035.z))) / _e2146);
+                                                                            if (_e2155 > _e145.tmin) {
+                                                                                if (_e2155 < _e145.tmax) {
+                                                                                    let _e2159 = triangles.member[(0u + _e1956)].v0_;
+                                                                                    let _e2161 = triangles.member[(0u + _e1956)].v1_;
+                                                                                    if (_e2159.x < _e2161.x) {
+                                                                                        phi_2337_ = _e2159.x;
                                                                                     } else {
-                                                                                        phi_2796_ = bool();
-                                                                                        phi_2797_ = true;
+                                                                                        phi_2337_ = _e2161.x;
                                                                                     }
-                                                                                    let _e2326 = phi_2796_;
-                                                                                    let _e2328 = phi_2797_;
-                                                                                    phi_2798_ = _e2326;
-                                                                                    phi_2799_ = _e2328;
+                                                                                    let _e2168 = phi_2337_;
+                                                                                    if (_e2159.y < _e2161.y) {
+                                                                                        phi_2346_ = _e2159.y;
+                                                                                    } else {
+                                                                                        phi_2346_ = _e2161.y;
+                                                                                    }
+                                                                                    let _e2175 = phi_2346_;
+                                                                                    if (_e2159.z < _e2161.z) {
+                                                                                        phi_2355_ = _e2159.z;
+                                                                                    } else {
+                                                                                        phi_2355_ = _e2161.z;
+                                                                                    }
+                                                                                    let _e2182 = phi_2355_;
+                                                                                    let _e2184 = triangles.member[(0u + _e1956)].v2_;
+                                                                                    if (_e2168 < _e2184.x) {
+                                                                                        phi_2364_ = _e2168;
+                                                                                    } else {
+                                                                                        phi_2364_ = _e2184.x;
+                                                                                    }
+                                                                                    let _e2189 = phi_2364_;
+                                                                                    if (_e2175 < _e2184.y) {
+                                                                                        phi_2371_ = _e2175;
+                                                                                    } else {
+                                                                                        phi_2371_ = _e2184.y;
+                                                                                    }
+                                                                                    let _e2194 = phi_2371_;
+                                                                                    if (_e2182 < _e2184.z) {
+                                                                                        phi_2378_ = _e2182;
+                                                                                    } else {
+                                                                                        phi_2378_ = _e2184.z;
+                                                                                    }
+                                                                                    let _e2199 = phi_2378_;
+                                                                                    let _e2201 = triangles.member[(0u + _e1956)].v0_;
+                                                                                    let _e2203 = triangles.member[(0u + _e1956)].v1_;
+                                                                                    if (_e2201.x > _e2203.x) {
+                                                                                        phi_2391_ = _e2201.x;
+                                                                                    } else {
+                                                                                        phi_2391_ = _e2203.x;
+                                                                                    }
+                                                                                    let _e2210 = phi_2391_;
+                                                                                    if (_e2201.y > _e2203.y) {
+                                                                                        phi_2400_ = _e2201.y;
+                                                                                    } else {
+                                                                                        phi_2400_ = _e2203.y;
+                                                                                    }
+                                                                                    let _e2217 = phi_2400_;
+                                                                                    if (_e2201.z > _e2203.z) {
+                                                                                        phi_2409_ = _e2201.z;
+                                                                                    } else {
+                                                                                        phi_2409_ = _e2203.z;
+                                                                                    }
+                                                                                    let _e2224 = phi_2409_;
+                                                                                    let _e2226 = triangles.member[(0u + _e1956)].v2_;
+                                                                                    if (_e2210 > _e2226.x) {
+                                                                                        phi_2418_ = _e2210;
+                                                                                    } else {
+                                                                                        phi_2418_ = _e2226.x;
+                                                                                    }
+                                                                                    let _e2231 = phi_2418_;
+                                                                                    if (_e2217 > _e2226.y) {
+                                                                                        phi_2425_ = _e2217;
+                                                                                    } else {
+                                                                                        phi_2425_ = _e2226.y;
+                                                                                    }
+                                                                                    let _e2236 = phi_2425_;
+                                                                                    if (_e2224 > _e2226.z) {
+                                                                                        phi_2432_ = _e2224;
+                                                                                    } else {
+                                                                                        phi_2432_ = _e2226.z;
+                                                                                    }
+                                                                                    let _e2241 = phi_2432_;
+                                                                                    let _e2245 = ((_e2189 - _e1055) * _e1270);
+                                                                                    let _e2246 = ((_e2194 - _e1068) * _e1280);
+                                                                                    let _e2247 = ((_e2199 - _e1081) * _e1290);
+                                                                                    let _e2251 = ((_e2231 - _e1055) * _e1270);
+                                                                                    let _e2252 = ((_e2236 - _e1068) * _e1280);
+                                                                                    let _e2253 = ((_e2241 - _e1081) * _e1290);
+                                                                                    if (_e2245 < _e2251) {
+                                                                                        phi_2449_ = _e2245;
+                                                                                    } else {
+                                                                                        phi_2449_ = _e2251;
+                                                                                    }
+                                                                                    let _e2256 = phi_2449_;
+                                                                                    if (_e2246 < _e2252) {
+                                                                                        phi_2454_ = _e2246;
+                                                                                    } else {
+                                                                                        phi_2454_ = _e2252;
+                                                                                    }
+                                                                                    let _e2259 = phi_2454_;
+                                                                                    if (_e2247 < _e2253) {
+                                                                                        phi_2459_ = _e2247;
+                                                                                    } else {
+                                                                                        phi_2459_ = _e2253;
+                                                                                    }
+                                                                                    let _e2262 = phi_2459_;
+                                                                                    if (_e2245 > _e2251) {
+                                                                                        phi_2467_ = _e2245;
+                                                                                    } else {
+                                                                                        phi_2467_ = _e2251;
+                                                                                    }
+                                                                                    let _e2268 = phi_2467_;
+                                                                                    if (_e2246 > _e2252) {
+                                                                                        phi_2472_ = _e2246;
+                                                                                    } else {
+                                                                                        phi_2472_ = _e2252;
+                                                                                    }
+                                                                                    let _e2271 = phi_2472_;
+                                                                                    if (_e2247 > _e2253) {
+                                                                                        phi_2477_ = _e2247;
+                                                                                    } else {
+                                                                                        phi_2477_ = _e2253;
+                                                                                    }
+                                                                                    let _e2274 = phi_2477_;
+                                                                                    let _e2278 = core_intrinsics_maximum_number_nsz_f32_((_e2256 - _e1325), (_e2259 - _e1326));
+                                                                                    let _e2279 = core_intrinsics_maximum_number_nsz_f32_(_e2278, (_e2262 - _e1327));
+                                                                                    let _e2280 = core_intrinsics_minimum_number_nsz_f32_((_e2268 + _e1325), (_e2271 + _e1326));
+                                                                                    let _e2281 = core_intrinsics_minimum_number_nsz_f32_(_e2280, (_e2274 + _e1327));
+                                                                                    if (_e2279 > _e1030) {
+                                                                                        phi_2489_ = _e2279;
+                                                                                    } else {
+                                                                                        phi_2489_ = _e1030;
+                                                                                    }
+                                                                                    let _e2284 = phi_2489_;
+                                                                                    if (_e2281 < _e1032) {
+                                                                                        phi_2494_ = _e2281;
+                                                                                    } else {
+                                                                                        phi_2494_ = _e1032;
+                                                                                    }
+                                                                                    let _e2287 = phi_2494_;
+                                                                                    if (_e2155 < _e2284) {
+                                                                                        phi_2499_ = _e2284;
+                                                                                    } else {
+                                                                                        phi_2499_ = _e2155;
+                                                                                    }
+                                                                                    let _e2290 = phi_2499_;
+                                                                                    if (_e2290 > _e2287) {
+                                                                                        phi_2504_ = _e2287;
+                                                                                    } else {
+                                                                                        phi_2504_ = _e2290;
+                                                                                    }
+                                                                                    let _e2293 = phi_2504_;
+                                                                                    phi_2509_ = lt_bvh_triangle_Intersection(_e2293, (_e2087 / _e2146), (_e2108 / _e2146), (_e2284 <= _e2287));
+                                                                                    phi_2510_ = false;
                                                                                 } else {
-                                                                                    phi_2798_ = bool();
-                                                                                    phi_2799_ = true;
+                                                                                    phi_2509_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2510_ = true;
                                                                                 }
-                                                                                let _e2330 = phi_2798_;
-                                                                                let _e2332 = phi_2799_;
-                                                                                if _e2332 {
-                                                                                    phi_2803_ = false;
-                                                                                } else {
-                                                                                    phi_2803_ = _e2330;
-                                                                                }
-                                                                                let _e2334 = phi_2803_;
-                                                                                phi_2804_ = _e2334;
+                                                                                let _e2299 = phi_2509_;
+                                                                                let _e2301 = phi_2510_;
+                                                                                phi_2511_ = _e2299;
+                                                                                phi_2512_ = _e2301;
+                                                                            } else {
+                                                                                phi_2511_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2512_ = true;
                                                                             }
-                                                                            let _e2336 = phi_2804_;
-                                                                            if _e2336 {
-                                                                                let _e2338 = triangles.member[(0u + _e1957)].i0_;
-                                                                                if ((_e2338 & 2147483648u) == 0u) {
-                                                                                    phi_2818_ = true;
+                                                                            let _e2303 = phi_2511_;
+                                                                            let _e2305 = phi_2512_;
+                                                                            if _e2305 {
+                                                                            }
+                                                                            phi_2516_ = _e2303;
+                                                                            phi_2517_ = _e2305;
+                                                                        }
+                                                                        let _e2307 = phi_2516_;
+                                                                        let _e2309 = phi_2517_;
+                                                                        phi_2518_ = _e2307;
+                                                                        phi_2519_ = _e2149;
+                                                                        phi_2520_ = _e2309;
+                                                                    } else {
+                                                                        phi_2518_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2519_ = true;
+                                                                        phi_2520_ = false;
+                                                                    }
+                                                                    let _e2311 = phi_2518_;
+                                                                    let _e2313 = phi_2519_;
+                                                                    let _e2315 = phi_2520_;
+                                                                    if _e2313 {
+                                                                        phi_2524_ = true;
+                                                                    } else {
+                                                                        phi_2524_ = _e2315;
+                                                                    }
+                                                                    let _e2317 = phi_2524_;
+                                                                    if _e2317 {
+                                                                        phi_2528_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2528_ = _e2311;
+                                                                    }
+                                                                    let _e2319 = phi_2528_;
+                                                                    if _e2319.is_hit {
+                                                                        if (_e2319.t > _e145.tmin) {
+                                                                            if (_e2319.t < _e1945.t) {
+                                                                                phi_2576_ = true;
+                                                                            } else {
+                                                                                if (_e2319.t == _e1945.t) {
+                                                                                    if (_e1945.triangle != 4294967295u) {
+                                                                                        if (_e1956 < _e1945.triangle) {
+                                                                                            phi_2567_ = true;
+                                                                                        } else {
+                                                                                            if (_e1956 == _e1945.triangle) {
+                                                                                                phi_2566_ = (_e971 < _e1945.instance);
+                                                                                            } else {
+                                                                                                phi_2566_ = false;
+                                                                                            }
+                                                                                            let _e2337 = phi_2566_;
+                                                                                            phi_2567_ = _e2337;
+                                                                                        }
+                                                                                        let _e2339 = phi_2567_;
+                                                                                        phi_2568_ = _e2339;
+                                                                                        phi_2569_ = false;
+                                                                                    } else {
+                                                                                        phi_2568_ = bool();
+                                                                                        phi_2569_ = true;
+                                                                                    }
+                                                                                    let _e2341 = phi_2568_;
+                                                                                    let _e2343 = phi_2569_;
+                                                                                    phi_2570_ = _e2341;
+                                                                                    phi_2571_ = _e2343;
+                                                                                } else {
+                                                                                    phi_2570_ = bool();
+                                                                                    phi_2571_ = true;
+                                                                                }
+                                                                                let _e2345 = phi_2570_;
+                                                                                let _e2347 = phi_2571_;
+                                                                                if _e2347 {
+                                                                                    phi_2575_ = false;
+                                                                                } else {
+                                                                                    phi_2575_ = _e2345;
+                                                                                }
+                                                                                let _e2349 = phi_2575_;
+                                                                                phi_2576_ = _e2349;
+                                                                            }
+                                                                            let _e2351 = phi_2576_;
+                                                                            if _e2351 {
+                                                                                let _e2353 = triangles.member[(0u + _e1956)].i0_;
+                                                                                if ((_e2353 & 2147483648u) == 0u) {
+                                                                                    phi_2590_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_2818_ = true;
+                                                                                    phi_2590_ = true;
                                                                                 }
-                                                                                let _e2342 = phi_2818_;
-                                                                                if _e2342 {
-                                                                                    phi_2826_ = lt_bvh_Hit(_e2304.t, _e2304.u, _e2304.v, _e1957, _e973);
+                                                                                let _e2357 = phi_2590_;
+                                                                                if _e2357 {
+                                                                                    phi_2598_ = lt_bvh_Hit(_e2319.t, _e2319.u, _e2319.v, _e1956, _e971);
                                                                                 } else {
-                                                                                    phi_2826_ = _e1946;
+                                                                                    phi_2598_ = _e1945;
                                                                                 }
-                                                                                let _e2348 = phi_2826_;
-                                                                                phi_2827_ = _e2348;
+                                                                                let _e2363 = phi_2598_;
+                                                                                phi_2599_ = _e2363;
                                                                             } else {
-                                                                                phi_2827_ = _e1946;
+                                                                                phi_2599_ = _e1945;
                                                                             }
-                                                                            let _e2350 = phi_2827_;
-                                                                            phi_2828_ = _e2350;
+                                                                            let _e2365 = phi_2599_;
+                                                                            phi_2600_ = _e2365;
                                                                         } else {
-                                                                            phi_2828_ = _e1946;
+                                                                            phi_2600_ = _e1945;
                                                                         }
-                                                                        let _e2352 = phi_2828_;
-                                                                        phi_2829_ = _e2352;
+                                                                        let _e2367 = phi_2600_;
+                                                                        phi_2601_ = _e2367;
                                                                     } else {
-                                                                        phi_2829_ = _e1946;
+                                                                        phi_2601_ = _e1945;
                                                                     }
-                                                                    let _e2354 = phi_2829_;
-                                                                    phi_2304_ = _e2354;
-                                                                    phi_2307_ = (_e1948 & (_e1948 - 1u));
-                                                                    phi_2830_ = true;
+                                                                    let _e2369 = phi_2601_;
+                                                                    phi_2055_ = _e2369;
+                                                                    phi_2058_ = (_e1947 & (_e1947 - 1u));
+                                                                    phi_2602_ = true;
                                                                 }
-                                                                let _e2356 = phi_2304_;
-                                                                let _e2358 = phi_2307_;
-                                                                let _e2360 = phi_2830_;
+                                                                let _e2371 = phi_2055_;
+                                                                let _e2373 = phi_2058_;
+                                                                let _e2375 = phi_2602_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2303_ = _e2356;
-                                                                    phi_2306_ = _e2358;
-                                                                    break if !(_e2360);
+                                                                    phi_2054_ = _e2371;
+                                                                    phi_2057_ = _e2373;
+                                                                    break if !(_e2375);
                                                                 }
                                                             }
-                                                            let _e2363 = local_2.group_mask;
-                                                            if ((_e2363 & 4278190080u) == 0u) {
-                                                                let _e2367 = local_2.len;
-                                                                if (_e2367 == 0u) {
-                                                                    phi_2869_ = false;
+                                                            let _e2378 = local.group_mask;
+                                                            if ((_e2378 & 4278190080u) == 0u) {
+                                                                let _e2382 = local.len;
+                                                                if (_e2382 == 0u) {
+                                                                    phi_2641_ = false;
                                                                 } else {
-                                                                    let _e2371 = local_2.len;
-                                                                    local_2.len = (_e2371 - 1u);
-                                                                    let _e2374 = local_2.len;
-                                                                    if (_e2374 < 32u) {
+                                                                    let _e2386 = local.len;
+                                                                    local.len = (_e2386 - 1u);
+                                                                    let _e2389 = local.len;
+                                                                    if (_e2389 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2379 = local_2.first[(0u + _e2374)];
-                                                                    local_2.group = _e2379;
-                                                                    let _e2382 = local_2.len;
-                                                                    if (_e2382 < 32u) {
+                                                                    let _e2394 = local.first[(0u + _e2389)];
+                                                                    local.group = _e2394;
+                                                                    let _e2397 = local.len;
+                                                                    if (_e2397 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2387 = local_2.mask[(0u + _e2382)];
-                                                                    local_2.group_mask = _e2387;
-                                                                    phi_2869_ = true;
+                                                                    let _e2402 = local.mask[(0u + _e2397)];
+                                                                    local.group_mask = _e2402;
+                                                                    phi_2641_ = true;
                                                                 }
-                                                                let _e2390 = phi_2869_;
-                                                                phi_2870_ = _e2390;
+                                                                let _e2405 = phi_2641_;
+                                                                phi_2642_ = _e2405;
                                                             } else {
-                                                                phi_2870_ = true;
+                                                                phi_2642_ = true;
                                                             }
-                                                            let _e2392 = phi_2870_;
-                                                            if _e2392 {
-                                                                let _e2394 = local_2.group_mask;
-                                                                let _e2400 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2394)), 32u, (_e2394 == 0u)));
-                                                                let _e2404 = local_2.group_mask;
-                                                                let _e2418 = local_2.group_mask;
-                                                                local_2.group_mask = (_e2418 & ~((1u << bitcast<u32>((_e2400 & 31u)))));
-                                                                let _e2421 = local_2.group;
-                                                                phi_2901_ = (_e2421 + countOneBits(((_e2404 & ~((4294967295u << bitcast<u32>((((_e2400 - 24u) ^ _e1369) & 31u))))) & 255u)));
+                                                            let _e2407 = phi_2642_;
+                                                            if _e2407 {
+                                                                let _e2409 = local.group_mask;
+                                                                let _e2415 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2409)), 32u, (_e2409 == 0u)));
+                                                                let _e2419 = local.group_mask;
+                                                                let _e2433 = local.group_mask;
+                                                                local.group_mask = (_e2433 & ~((1u << bitcast<u32>((_e2415 & 31u)))));
+                                                                let _e2436 = local.group;
+                                                                phi_2673_ = (_e2436 + countOneBits(((_e2419 & ~((4294967295u << bitcast<u32>((((_e2415 - 24u) ^ _e1368) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_2901_ = 4294967295u;
+                                                                phi_2673_ = 4294967295u;
                                                             }
-                                                            let _e2424 = phi_2901_;
-                                                            let _e3168 = local_10;
-                                                            phi_1971_ = _e3168;
-                                                            phi_1974_ = _e2424;
+                                                            let _e2439 = phi_2673_;
+                                                            let _e3419 = local_8;
+                                                            phi_1722_ = _e3419;
+                                                            phi_1725_ = _e2439;
                                                         } else {
-                                                            phi_1971_ = lt_bvh_Hit();
-                                                            phi_1974_ = u32();
+                                                            phi_1722_ = lt_bvh_Hit();
+                                                            phi_1725_ = u32();
                                                         }
-                                                        let _e2426 = phi_1971_;
-                                                        let _e2428 = phi_1974_;
+                                                        let _e2441 = phi_1722_;
+                                                        let _e2443 = phi_1725_;
                                                         continue;
                                                         continuing {
-                                                            phi_1970_ = _e2426;
-                                                            phi_1973_ = _e2428;
-                                                            break if !(_e1510);
+                                                            phi_1721_ = _e2441;
+                                                            phi_1724_ = _e2443;
+                                                            break if !(_e1509);
                                                         }
                                                     }
-                                                    let _e3172 = local_11;
-                                                    phi_2902_ = _e3172;
+                                                    let _e3423 = local_9;
+                                                    phi_2674_ = _e3423;
                                                 }
-                                                let _e2431 = phi_2902_;
-                                                phi_2903_ = _e2431;
-                                                phi_2904_ = _e1195;
+                                                let _e2446 = phi_2674_;
+                                                phi_2675_ = _e2446;
+                                                phi_2676_ = _e1194;
                                             } else {
-                                                phi_2903_ = lt_bvh_Hit();
-                                                phi_2904_ = true;
+                                                phi_2675_ = lt_bvh_Hit();
+                                                phi_2676_ = true;
                                             }
-                                            let _e2433 = phi_2903_;
-                                            let _e2435 = phi_2904_;
-                                            if _e2435 {
-                                                phi_2908_ = _e965;
+                                            let _e2448 = phi_2675_;
+                                            let _e2450 = phi_2676_;
+                                            if _e2450 {
+                                                phi_2680_ = _e963;
                                             } else {
-                                                phi_2908_ = _e2433;
+                                                phi_2680_ = _e2448;
                                             }
-                                            let _e2437 = phi_2908_;
-                                            phi_2909_ = _e2437;
+                                            let _e2452 = phi_2680_;
+                                            phi_2681_ = _e2452;
                                         } else {
-                                            phi_2909_ = _e965;
+                                            phi_2681_ = _e963;
                                         }
-                                        let _e2439 = phi_2909_;
-                                        phi_2910_ = _e2439;
+                                        let _e2454 = phi_2681_;
+                                        phi_2682_ = _e2454;
                                     } else {
-                                        phi_2910_ = _e965;
+                                        phi_2682_ = _e963;
                                     }
-                                    let _e2441 = phi_2910_;
-                                    phi_2911_ = _e2441;
+                                    let _e2456 = phi_2682_;
+                                    phi_2683_ = _e2456;
                                 } else {
-                                    phi_2911_ = _e965;
+                                    phi_2683_ = _e963;
                                 }
-                                let _e2443 = phi_2911_;
-                                phi_1346_ = (_e963 & (_e963 - 1u));
-                                phi_1349_ = _e2443;
-                                phi_2912_ = true;
+                                let _e2458 = phi_2683_;
+                                phi_1096_ = (_e961 & (_e961 - 1u));
+                                phi_1099_ = _e2458;
+                                phi_2684_ = true;
                             }
-                            let _e2445 = phi_1346_;
-                            let _e2447 = phi_1349_;
-                            let _e2449 = phi_2912_;
+                            let _e2460 = phi_1096_;
+                            let _e2462 = phi_1099_;
+                            let _e2464 = phi_2684_;
                             continue;
                             continuing {
-                                phi_1345_ = _e2445;
-                                phi_1348_ = _e2447;
-                                break if !(_e2449);
+                                phi_1095_ = _e2460;
+                                phi_1098_ = _e2462;
+                                break if !(_e2464);
                             }
                         }
-                        let _e2452 = local_3.group_mask;
-                        if ((_e2452 & 4278190080u) == 0u) {
-                            let _e2456 = local_3.len;
-                            if (_e2456 == 0u) {
-                                phi_2951_ = false;
+                        let _e2467 = local_1.group_mask;
+                        if ((_e2467 & 4278190080u) == 0u) {
+                            let _e2471 = local_1.len;
+                            if (_e2471 == 0u) {
+                                phi_2723_ = false;
                             } else {
-                                let _e2460 = local_3.len;
-                                local_3.len = (_e2460 - 1u);
-                                let _e2463 = local_3.len;
-                                if (_e2463 < 32u) {
+                                let _e2475 = local_1.len;
+                                local_1.len = (_e2475 - 1u);
+                                let _e2478 = local_1.len;
+                                if (_e2478 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2468 = local_3.first[(0u + _e2463)];
-                                local_3.group = _e2468;
-                                let _e2471 = local_3.len;
-                                if (_e2471 < 32u) {
+                                let _e2483 = local_1.first[(0u + _e2478)];
+                                local_1.group = _e2483;
+                                let _e2486 = local_1.len;
+                                if (_e2486 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2476 = local_3.mask[(0u + _e2471)];
-                                local_3.group_mask = _e2476;
-                                phi_2951_ = true;
+                                let _e2491 = local_1.mask[(0u + _e2486)];
+                                local_1.group_mask = _e2491;
+                                phi_2723_ = true;
                             }
-                            let _e2479 = phi_2951_;
-                            phi_2952_ = _e2479;
+                            let _e2494 = phi_2723_;
+                            phi_2724_ = _e2494;
                         } else {
-                            phi_2952_ = true;
+                            phi_2724_ = true;
                         }
-                        let _e2481 = phi_2952_;
-                        if _e2481 {
-                            let _e2483 = local_3.group_mask;
-                            let _e2489 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2483)), 32u, (_e2483 == 0u)));
-                            let _e2493 = local_3.group_mask;
-                            let _e2507 = local_3.group_mask;
-                            local_3.group_mask = (_e2507 & ~((1u << bitcast<u32>((_e2489 & 31u)))));
-                            let _e2510 = local_3.group;
-                            phi_2983_ = (_e2510 + countOneBits(((_e2493 & ~((4294967295u << bitcast<u32>((((_e2489 - 24u) ^ _e382) & 31u))))) & 255u)));
+                        let _e2496 = phi_2724_;
+                        if _e2496 {
+                            let _e2498 = local_1.group_mask;
+                            let _e2504 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2498)), 32u, (_e2498 == 0u)));
+                            let _e2508 = local_1.group_mask;
+                            let _e2522 = local_1.group_mask;
+                            local_1.group_mask = (_e2522 & ~((1u << bitcast<u32>((_e2504 & 31u)))));
+                            let _e2525 = local_1.group;
+                            phi_2755_ = (_e2525 + countOneBits(((_e2508 & ~((4294967295u << bitcast<u32>((((_e2504 - 24u) ^ _e380) & 31u))))) & 255u)));
                         } else {
-                            phi_2983_ = 4294967295u;
+                            phi_2755_ = 4294967295u;
                         }
-                        let _e2513 = phi_2983_;
-                        phi_1009_ = _e2513;
-                        let _e3188 = local_12;
-                        phi_1012_ = _e3188;
+                        let _e2528 = phi_2755_;
+                        phi_759_ = _e2528;
+                        let _e3439 = local_10;
+                        phi_762_ = _e3439;
                     } else {
-                        phi_1009_ = u32();
-                        phi_1012_ = lt_bvh_Hit();
+                        phi_759_ = u32();
+                        phi_762_ = lt_bvh_Hit();
                     }
-                    let _e2515 = phi_1009_;
-                    let _e2517 = phi_1012_;
+                    let _e2530 = phi_759_;
+                    let _e2532 = phi_762_;
                     continue;
                     continuing {
-                        phi_1008_ = _e2515;
-                        phi_1011_ = _e2517;
-                        break if !(_e523);
+                        phi_758_ = _e2530;
+                        phi_761_ = _e2532;
+                        break if !(_e521);
                     }
                 }
-                let _e3191 = local_13;
-                phi_2984_ = _e3191;
+                let _e3442 = local_11;
+                phi_2756_ = _e3442;
             }
-            let _e2520 = phi_2984_;
-            phi_2985_ = _e2520;
-            phi_2986_ = _e219;
+            let _e2535 = phi_2756_;
+            phi_2757_ = _e2535;
+            phi_2758_ = _e217;
         } else {
-            phi_2985_ = lt_bvh_Hit();
-            phi_2986_ = true;
+            phi_2757_ = lt_bvh_Hit();
+            phi_2758_ = true;
         }
-        let _e2522 = phi_2985_;
-        let _e2524 = phi_2986_;
-        if _e2524 {
-            phi_2990_ = _e149;
+        let _e2537 = phi_2757_;
+        let _e2539 = phi_2758_;
+        if _e2539 {
+            phi_2762_ = _e147;
         } else {
-            phi_2990_ = _e2522;
+            phi_2762_ = _e2537;
         }
-        let _e2526 = phi_2990_;
-        if (_e2526.triangle != 4294967295u) {
-            let _e2531 = lt_shaders_surface_barycentric_weights(_e2526.u, _e2526.v);
-            if (_e2526.triangle < _e72) {
+        let _e2541 = phi_2762_;
+        if (_e2541.triangle != 4294967295u) {
+            let _e2547 = ((1f - _e2541.u) - _e2541.v);
+            if (_e2541.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2536 = triangles.member[(0u + _e2526.triangle)];
-            if (_e2526.instance < _e84) {
+            let _e2553 = triangles.member[(0u + _e2541.triangle)];
+            if (_e2541.instance < _e82) {
             } else {
                 return;
             }
-            let _e2547 = instances.member[(0u + _e2526.instance)].object_to_world[0u];
-            let _e2558 = ((((_e2547.x * _e2536.v0_.x) + (_e2547.y * _e2536.v0_.y)) + (_e2547.z * _e2536.v0_.z)) + (_e2547.w * 1f));
-            let _e2560 = instances.member[(0u + _e2526.instance)].object_to_world[1u];
-            let _e2571 = ((((_e2560.x * _e2536.v0_.x) + (_e2560.y * _e2536.v0_.y)) + (_e2560.z * _e2536.v0_.z)) + (_e2560.w * 1f));
-            let _e2573 = instances.member[(0u + _e2526.instance)].object_to_world[2u];
-            let _e2584 = ((((_e2573.x * _e2536.v0_.x) + (_e2573.y * _e2536.v0_.y)) + (_e2573.z * _e2536.v0_.z)) + (_e2573.w * 1f));
-            let _e2591 = instances.member[(0u + _e2526.instance)].object_to_world[0u];
-            let _e2602 = ((((_e2591.x * _e2536.v1_.x) + (_e2591.y * _e2536.v1_.y)) + (_e2591.z * _e2536.v1_.z)) + (_e2591.w * 1f));
-            let _e2604 = instances.member[(0u + _e2526.instance)].object_to_world[1u];
-            let _e2615 = ((((_e2604.x * _e2536.v1_.x) + (_e2604.y * _e2536.v1_.y)) + (_e2604.z * _e2536.v1_.z)) + (_e2604.w * 1f));
-            let _e2617 = instances.member[(0u + _e2526.instance)].object_to_world[2u];
-            let _e2628 = ((((_e2617.x * _e2536.v1_.x) + (_e2617.y * _e2536.v1_.y)) + (_e2617.z * _e2536.v1_.z)) + (_e2617.w * 1f));
-            let _e2635 = instances.member[(0u + _e2526.instance)].object_to_world[0u];
-            let _e2646 = ((((_e2635.x * _e2536.v2_.x) + (_e2635.y * _e2536.v2_.y)) + (_e2635.z * _e2536.v2_.z)) + (_e2635.w * 1f));
-            let _e2648 = instances.member[(0u + _e2526.instance)].object_to_world[1u];
-            let _e2659 = ((((_e2648.x * _e2536.v2_.x) + (_e2648.y * _e2536.v2_.y)) + (_e2648.z * _e2536.v2_.z)) + (_e2648.w * 1f));
-            let _e2661 = instances.member[(0u + _e2526.instance)].object_to_world[2u];
-            let _e2672 = ((((_e2661.x * _e2536.v2_.x) + (_e2661.y * _e2536.v2_.y)) + (_e2661.z * _e2536.v2_.z)) + (_e2661.w * 1f));
-            let _e2688 = (((_e2558 * _e2531.x) + (_e2602 * _e2531.y)) + (_e2646 * _e2531.z));
-            let _e2689 = (((_e2571 * _e2531.x) + (_e2615 * _e2531.y)) + (_e2659 * _e2531.z));
-            let _e2690 = (((_e2584 * _e2531.x) + (_e2628 * _e2531.y)) + (_e2672 * _e2531.z));
-            let _e2692 = abs(_e2558);
-            let _e2693 = abs(_e2571);
-            let _e2694 = abs(_e2584);
-            let _e2695 = abs(_e2602);
-            let _e2696 = abs(_e2615);
-            let _e2697 = abs(_e2628);
-            if (_e2692 > _e2695) {
-                phi_3179_ = _e2692;
-            } else {
-                phi_3179_ = _e2695;
-            }
-            let _e2700 = phi_3179_;
-            if (_e2693 > _e2696) {
-                phi_3184_ = _e2693;
-            } else {
-                phi_3184_ = _e2696;
-            }
-            let _e2703 = phi_3184_;
-            if (_e2694 > _e2697) {
-                phi_3189_ = _e2694;
-            } else {
-                phi_3189_ = _e2697;
-            }
-            let _e2706 = phi_3189_;
-            let _e2707 = abs(_e2646);
-            let _e2708 = abs(_e2659);
-            let _e2709 = abs(_e2672);
-            if (_e2700 > _e2707) {
-                phi_3197_ = _e2700;
-            } else {
-                phi_3197_ = _e2707;
-            }
-            let _e2712 = phi_3197_;
-            if (_e2703 > _e2708) {
-                phi_3202_ = _e2703;
-            } else {
-                phi_3202_ = _e2708;
-            }
-            let _e2715 = phi_3202_;
+            let _e2564 = instances.member[(0u + _e2541.instance)].object_to_world[0u];
+            let _e2575 = ((((_e2564.x * _e2553.v0_.x) + (_e2564.y * _e2553.v0_.y)) + (_e2564.z * _e2553.v0_.z)) + (_e2564.w * 1f));
+            let _e2577 = instances.member[(0u + _e2541.instance)].object_to_world[1u];
+            let _e2588 = ((((_e2577.x * _e2553.v0_.x) + (_e2577.y * _e2553.v0_.y)) + (_e2577.z * _e2553.v0_.z)) + (_e2577.w * 1f));
+            let _e2590 = instances.member[(0u + _e2541.instance)].object_to_world[2u];
+            let _e2601 = ((((_e2590.x * _e2553.v0_.x) + (_e2590.y * _e2553.v0_.y)) + (_e2590.z * _e2553.v0_.z)) + (_e2590.w * 1f));
+            let _e2608 = instances.member[(0u + _e2541.instance)].object_to_world[0u];
+            let _e2619 = ((((_e2608.x * _e2553.v1_.x) + (_e2608.y * _e2553.v1_.y)) + (_e2608.z * _e2553.v1_.z)) + (_e2608.w * 1f));
+            let _e2621 = instances.member[(0u + _e2541.instance)].object_to_world[1u];
+            let _e2632 = ((((_e2621.x * _e2553.v1_.x) + (_e2621.y * _e2553.v1_.y)) + (_e2621.z * _e2553.v1_.z)) + (_e2621.w * 1f));
+            let _e2634 = instances.member[(0u + _e2541.instance)].object_to_world[2u];
+            let _e2645 = ((((_e2634.x * _e2553.v1_.x) + (_e2634.y * _e2553.v1_.y)) + (_e2634.z * _e2553.v1_.z)) + (_e2634.w * 1f));
+            let _e2652 = instances.member[(0u + _e2541.instance)].object_to_world[0u];
+            let _e2663 = ((((_e2652.x * _e2553.v2_.x) + (_e2652.y * _e2553.v2_.y)) + (_e2652.z * _e2553.v2_.z)) + (_e2652.w * 1f));
+            let _e2665 = instances.member[(0u + _e2541.instance)].object_to_world[1u];
+            let _e2676 = ((((_e2665.x * _e2553.v2_.x) + (_e2665.y * _e2553.v2_.y)) + (_e2665.z * _e2553.v2_.z)) + (_e2665.w * 1f));
+            let _e2678 = instances.member[(0u + _e2541.instance)].object_to_world[2u];
+            let _e2689 = ((((_e2678.x * _e2553.v2_.x) + (_e2678.y * _e2553.v2_.y)) + (_e2678.z * _e2553.v2_.z)) + (_e2678.w * 1f));
+            let _e2702 = (((_e2575 * _e2547) + (_e2619 * _e2541.u)) + (_e2663 * _e2541.v));
+            let _e2703 = (((_e2588 * _e2547) + (_e2632 * _e2541.u)) + (_e2676 * _e2541.v));
+            let _e2704 = (((_e2601 * _e2547) + (_e2645 * _e2541.u)) + (_e2689 * _e2541.v));
+            let _e2706 = abs(_e2575);
+            let _e2707 = abs(_e2588);
+            let _e2708 = abs(_e2601);
+            let _e2709 = abs(_e2619);
+            let _e2710 = abs(_e2632);
+            let _e2711 = abs(_e2645);
             if (_e2706 > _e2709) {
-                phi_3207_ = _e2706;
+                phi_2950_ = _e2706;
             } else {
-                phi_3207_ = _e2709;
+                phi_2950_ = _e2709;
             }
-            let _e2718 = phi_3207_;
-            let _e2719 = (_e2602 - _e2558);
-            let _e2720 = (_e2615 - _e2571);
-            let _e2721 = (_e2628 - _e2584);
-            let _e2722 = (_e2646 - _e2558);
-            let _e2723 = (_e2659 - _e2571);
-            let _e2724 = (_e2672 - _e2584);
-            let _e2728 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2720), abs(_e2721));
-            let _e2729 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2719), _e2728);
-            let _e2730 = (_e2719 / _e2729);
-            let _e2731 = (_e2720 / _e2729);
-            let _e2732 = (_e2721 / _e2729);
-            let _e2736 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2723), abs(_e2724));
-            let _e2737 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2722), _e2736);
-            let _e2738 = (_e2722 / _e2737);
-            let _e2739 = (_e2723 / _e2737);
-            let _e2740 = (_e2724 / _e2737);
-            let _e2743 = ((_e2731 * _e2740) - (_e2739 * _e2732));
-            let _e2746 = ((_e2732 * _e2738) - (_e2740 * _e2730));
-            let _e2749 = ((_e2730 * _e2739) - (_e2738 * _e2731));
-            let _e2751 = p.member.eye;
-            let _e2760 = (1f / sqrt((((_e2743 * _e2743) + (_e2746 * _e2746)) + (_e2749 * _e2749))));
-            let _e2765 = lt_shaders_camera_facing(vec3<f32>((_e2743 * _e2760), (_e2746 * _e2760), (_e2749 * _e2760)), (_e2751 - vec3<f32>(_e2688, _e2689, _e2690)));
-            if (_e2526.triangle < _e72) {
+            let _e2714 = phi_2950_;
+            if (_e2707 > _e2710) {
+                phi_2955_ = _e2707;
+            } else {
+                phi_2955_ = _e2710;
+            }
+            let _e2717 = phi_2955_;
+            if (_e2708 > _e2711) {
+                phi_2960_ = _e2708;
+            } else {
+                phi_2960_ = _e2711;
+            }
+            let _e2720 = phi_2960_;
+            let _e2721 = abs(_e2663);
+            let _e2722 = abs(_e2676);
+            let _e2723 = abs(_e2689);
+            if (_e2714 > _e2721) {
+                phi_2968_ = _e2714;
+            } else {
+                phi_2968_ = _e2721;
+            }
+            let _e2726 = phi_2968_;
+            if (_e2717 > _e2722) {
+                phi_2973_ = _e2717;
+            } else {
+                phi_2973_ = _e2722;
+            }
+            let _e2729 = phi_2973_;
+            if (_e2720 > _e2723) {
+                phi_2978_ = _e2720;
+            } else {
+                phi_2978_ = _e2723;
+            }
+            let _e2732 = phi_2978_;
+            let _e2733 = (_e2619 - _e2575);
+            let _e2734 = (_e2632 - _e2588);
+            let _e2735 = (_e2645 - _e2601);
+            let _e2736 = (_e2663 - _e2575);
+            let _e2737 = (_e2676 - _e2588);
+            let _e2738 = (_e2689 - _e2601);
+            let _e2742 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2734), abs(_e2735));
+            let _e2743 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2733), _e2742);
+            let _e2744 = (_e2733 / _e2743);
+            let _e2745 = (_e2734 / _e2743);
+            let _e2746 = (_e2735 / _e2743);
+            let _e2750 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2737), abs(_e2738));
+            let _e2751 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2736), _e2750);
+            let _e2752 = (_e2736 / _e2751);
+            let _e2753 = (_e2737 / _e2751);
+            let _e2754 = (_e2738 / _e2751);
+            let _e2757 = ((_e2745 * _e2754) - (_e2753 * _e2746));
+            let _e2760 = ((_e2746 * _e2752) - (_e2754 * _e2744));
+            let _e2763 = ((_e2744 * _e2753) - (_e2752 * _e2745));
+            let _e2765 = p.member.eye;
+            let _e2778 = (1f / sqrt((((_e2757 * _e2757) + (_e2760 * _e2760)) + (_e2763 * _e2763))));
+            let _e2779 = (_e2757 * _e2778);
+            let _e2780 = (_e2760 * _e2778);
+            let _e2781 = (_e2763 * _e2778);
+            if ((((_e2779 * (_e2765.x - _e2702)) + (_e2780 * (_e2765.y - _e2703))) + (_e2781 * (_e2765.z - _e2704))) < 0f) {
+                phi_3042_ = vec3<f32>(-(_e2779), -(_e2780), -(_e2781));
+            } else {
+                phi_3042_ = vec3<f32>(_e2779, _e2780, _e2781);
+            }
+            let _e2794 = phi_3042_;
+            if (_e2541.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2770 = triangles.member[(0u + _e2526.triangle)];
-            let _e2772 = (_e2770.i0_ & 2147483647u);
-            if (_e2772 < _e75) {
+            let _e2799 = triangles.member[(0u + _e2541.triangle)];
+            let _e2801 = (_e2799.i0_ & 2147483647u);
+            if (_e2801 < _e73) {
             } else {
                 return;
             }
-            let _e2778 = vertices.member[(0u + _e2772)];
-            if (_e2770.i1_ < _e75) {
+            let _e2807 = vertices.member[(0u + _e2801)];
+            if (_e2799.i1_ < _e73) {
             } else {
                 return;
             }
-            let _e2782 = vertices.member[(0u + _e2770.i1_)];
-            if (_e2770.i2_ < _e75) {
+            let _e2811 = vertices.member[(0u + _e2799.i1_)];
+            if (_e2799.i2_ < _e73) {
             } else {
                 return;
             }
-            let _e2786 = vertices.member[(0u + _e2770.i2_)];
-            let _e2787 = array<abi_Vertex, 3>(_e2778, _e2782, _e2786);
-            local = array<abi_Vertex, 3>(abi_Vertex(_e2787[0].u, _e2787[0].v, _e2787[0].normal, _e2787[0].color, _e2787[0].material), abi_Vertex(_e2787[1].u, _e2787[1].v, _e2787[1].normal, _e2787[1].color, _e2787[1].material), abi_Vertex(_e2787[2].u, _e2787[2].v, _e2787[2].normal, _e2787[2].color, _e2787[2].material));
-            let _e2812 = local[0u].material;
-            if (_e2812 < arrayLength((&materials.member))) {
+            let _e2815 = vertices.member[(0u + _e2799.i2_)];
+            let _e2816 = array<abi_Vertex, 3>(_e2807, _e2811, _e2815);
+            if (_e2816[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2816 = materials.member[(0u + _e2812)];
-            local_1 = abi_Material(_e2816.base_color, _e2816.cutoff, _e2816.flags, _e2816.alpha_offset, _e2816.alpha_size, _e2816.color_offset, _e2816.color_size, _e2816.pad);
-            let _e2826 = lt_shaders_surface_plain_color((&local_1), (&local), _e2531);
-            let _e2827 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(_e2531);
-            let _e2829 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2715, _e2718);
-            let _e2830 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2712, _e2829);
-            let _e2832 = local_1.flags;
-            if ((_e2832 & 2u) == 0u) {
-                phi_3343_ = 0u;
+            let _e2822 = materials.member[(0u + _e2816[0].material)];
+            let _e2839 = (1f / 255f);
+            let _e2858 = (1f / 255f);
+            let _e2880 = (1f / 255f);
+            let _e2893 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2547, _e2541.u, _e2541.v));
+            let _e2895 = ((_e2822.base_color.x * ((((f32((_e2816[0].color & 255u)) * _e2839) * _e2547) + ((f32((_e2816[1].color & 255u)) * _e2858) * _e2541.u)) + ((f32((_e2816[2].color & 255u)) * _e2880) * _e2541.v))) * _e2893.x);
+            let _e2897 = ((_e2822.base_color.y * ((((f32(((_e2816[0].color >> bitcast<u32>(8i)) & 255u)) * _e2839) * _e2547) + ((f32(((_e2816[1].color >> bitcast<u32>(8i)) & 255u)) * _e2858) * _e2541.u)) + ((f32(((_e2816[2].color >> bitcast<u32>(8i)) & 255u)) * _e2880) * _e2541.v))) * _e2893.y);
+            let _e2899 = ((_e2822.base_color.z * ((((f32(((_e2816[0].color >> bitcast<u32>(16i)) & 255u)) * _e2839) * _e2547) + ((f32(((_e2816[1].color >> bitcast<u32>(16i)) & 255u)) * _e2858) * _e2541.u)) + ((f32(((_e2816[2].color >> bitcast<u32>(16i)) & 255u)) * _e2880) * _e2541.v))) * _e2893.z);
+            let _e2900 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2729, _e2732);
+            let _e2901 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2726, _e2900);
+            if ((_e2822.flags & 2u) == 0u) {
+                phi_3163_ = 0u;
             } else {
-                phi_3343_ = 1u;
+                phi_3163_ = 1u;
             }
-            let _e2836 = phi_3343_;
-            let _e2839 = local[0u].normal;
-            if (_e2839 == 2147516416u) {
-                phi_3443_ = _e2765;
+            let _e2906 = phi_3163_;
+            if (_e2816[0].normal == 2147516416u) {
+                phi_3393_ = _e2794;
             } else {
-                let _e2843 = local[0u].normal;
-                let _e2844 = lt_shaders_surface_octahedral_decode(_e2843);
-                let _e2854 = local[1u].normal;
-                let _e2855 = lt_shaders_surface_octahedral_decode(_e2854);
-                let _e2868 = local[2u].normal;
-                let _e2869 = lt_shaders_surface_octahedral_decode(_e2868);
-                let _e2877 = (((_e2844.x * _e2531.x) + (_e2855.x * _e2531.y)) + (_e2869.x * _e2531.z));
-                let _e2878 = (((_e2844.y * _e2531.x) + (_e2855.y * _e2531.y)) + (_e2869.y * _e2531.z));
-                let _e2879 = (((_e2844.z * _e2531.x) + (_e2855.z * _e2531.y)) + (_e2869.z * _e2531.z));
-                if (_e2526.instance < _e84) {
+                let _e2919 = (f32((bitcast<i32>((_e2816[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2925 = (f32((bitcast<i32>(_e2816[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2929 = ((1f - abs(_e2919)) - abs(_e2925));
+                if (_e2929 < 0f) {
+                    phi_3190_ = -(_e2929);
+                } else {
+                    phi_3190_ = 0f;
+                }
+                let _e2933 = phi_3190_;
+                if (_e2919 < 0f) {
+                    phi_3197_ = (_e2919 + _e2933);
+                } else {
+                    phi_3197_ = (_e2919 - _e2933);
+                }
+                let _e2938 = phi_3197_;
+                if (_e2925 < 0f) {
+                    phi_3204_ = (_e2925 + _e2933);
+                } else {
+                    phi_3204_ = (_e2925 - _e2933);
+                }
+                let _e2943 = phi_3204_;
+                let _e2950 = (1f / sqrt((((_e2938 * _e2938) + (_e2943 * _e2943)) + (_e2929 * _e2929))));
+                let _e2966 = (f32((bitcast<i32>((_e2816[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2972 = (f32((bitcast<i32>(_e2816[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2976 = ((1f - abs(_e2966)) - abs(_e2972));
+                if (_e2976 < 0f) {
+                    phi_3239_ = -(_e2976);
+                } else {
+                    phi_3239_ = 0f;
+                }
+                let _e2980 = phi_3239_;
+                if (_e2966 < 0f) {
+                    phi_3246_ = (_e2966 + _e2980);
+                } else {
+                    phi_3246_ = (_e2966 - _e2980);
+                }
+                let _e2985 = phi_3246_;
+                if (_e2972 < 0f) {
+                    phi_3253_ = (_e2972 + _e2980);
+                } else {
+                    phi_3253_ = (_e2972 - _e2980);
+                }
+                let _e2990 = phi_3253_;
+                let _e2997 = (1f / sqrt((((_e2985 * _e2985) + (_e2990 * _e2990)) + (_e2976 * _e2976))));
+                let _e3016 = (f32((bitcast<i32>((_e2816[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3022 = (f32((bitcast<i32>(_e2816[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3026 = ((1f - abs(_e3016)) - abs(_e3022));
+                if (_e3026 < 0f) {
+                    phi_3291_ = -(_e3026);
+                } else {
+                    phi_3291_ = 0f;
+                }
+                let _e3030 = phi_3291_;
+                if (_e3016 < 0f) {
+                    phi_3298_ = (_e3016 + _e3030);
+                } else {
+                    phi_3298_ = (_e3016 - _e3030);
+                }
+                let _e3035 = phi_3298_;
+                if (_e3022 < 0f) {
+                    phi_3305_ = (_e3022 + _e3030);
+                } else {
+                    phi_3305_ = (_e3022 - _e3030);
+                }
+                let _e3040 = phi_3305_;
+                let _e3047 = (1f / sqrt((((_e3035 * _e3035) + (_e3040 * _e3040)) + (_e3026 * _e3026))));
+                let _e3054 = ((((_e2938 * _e2950) * _e2547) + ((_e2985 * _e2997) * _e2541.u)) + ((_e3035 * _e3047) * _e2541.v));
+                let _e3055 = ((((_e2943 * _e2950) * _e2547) + ((_e2990 * _e2997) * _e2541.u)) + ((_e3040 * _e3047) * _e2541.v));
+                let _e3056 = ((((_e2929 * _e2950) * _e2547) + ((_e2976 * _e2997) * _e2541.u)) + ((_e3026 * _e3047) * _e2541.v));
+                if (_e2541.instance < _e82) {
                 } else {
                     return;
                 }
-                let _e2886 = instances.member[(0u + _e2526.instance)].world_to_object[0u];
-                let _e2895 = instances.member[(0u + _e2526.instance)].world_to_object[1u];
-                let _e2907 = instances.member[(0u + _e2526.instance)].world_to_object[2u];
-                let _e2914 = (((_e2886.x * _e2877) + (_e2895.x * _e2878)) + (_e2907.x * _e2879));
-                let _e2915 = (((_e2886.y * _e2877) + (_e2895.y * _e2878)) + (_e2907.y * _e2879));
-                let _e2916 = (((_e2886.z * _e2877) + (_e2895.z * _e2878)) + (_e2907.z * _e2879));
-                let _e2922 = sqrt((((_e2914 * _e2914) + (_e2915 * _e2915)) + (_e2916 * _e2916)));
-                if (_e2922 > 0f) {
-                    let _e2928 = lt_shaders_camera_facing(vec3<f32>((_e2914 / _e2922), (_e2915 / _e2922), (_e2916 / _e2922)), _e2765);
-                    phi_3442_ = _e2928;
+                let _e3063 = instances.member[(0u + _e2541.instance)].world_to_object[0u];
+                let _e3072 = instances.member[(0u + _e2541.instance)].world_to_object[1u];
+                let _e3084 = instances.member[(0u + _e2541.instance)].world_to_object[2u];
+                let _e3091 = (((_e3063.x * _e3054) + (_e3072.x * _e3055)) + (_e3084.x * _e3056));
+                let _e3092 = (((_e3063.y * _e3054) + (_e3072.y * _e3055)) + (_e3084.y * _e3056));
+                let _e3093 = (((_e3063.z * _e3054) + (_e3072.z * _e3055)) + (_e3084.z * _e3056));
+                let _e3099 = sqrt((((_e3091 * _e3091) + (_e3092 * _e3092)) + (_e3093 * _e3093)));
+                if (_e3099 > 0f) {
+                    let _e3101 = (_e3091 / _e3099);
+                    let _e3102 = (_e3092 / _e3099);
+                    let _e3103 = (_e3093 / _e3099);
+                    if ((((_e3101 * _e2794.x) + (_e3102 * _e2794.y)) + (_e3103 * _e2794.z)) < 0f) {
+                        phi_3391_ = vec3<f32>(-(_e3101), -(_e3102), -(_e3103));
+                    } else {
+                        phi_3391_ = vec3<f32>(_e3101, _e3102, _e3103);
+                    }
+                    let _e3119 = phi_3391_;
+                    phi_3392_ = _e3119;
                 } else {
-                    phi_3442_ = _e2765;
+                    phi_3392_ = _e2794;
                 }
-                let _e2930 = phi_3442_;
-                phi_3443_ = _e2930;
+                let _e3121 = phi_3392_;
+                phi_3393_ = _e3121;
             }
-            let _e2932 = phi_3443_;
-            let _e2933 = lt_shaders_shade_pack_albedo((_e2826 * _e2827));
-            phi_3447_ = abi_Sample(vec3<f32>(_e2688, _e2689, _e2690), _e2830, _e2765, _e2836, _e2932, _e2933);
+            let _e3123 = phi_3393_;
+            if (_e2895 > 0f) {
+                if (_e2895 < 1f) {
+                    phi_3402_ = _e2895;
+                } else {
+                    phi_3402_ = 1f;
+                }
+                let _e3127 = phi_3402_;
+                phi_3403_ = _e3127;
+            } else {
+                phi_3403_ = 0f;
+            }
+            let _e3129 = phi_3403_;
+            if (_e2897 > 0f) {
+                if (_e2897 < 1f) {
+                    phi_3413_ = _e2897;
+                } else {
+                    phi_3413_ = 1f;
+                }
+                let _e3134 = phi_3413_;
+                phi_3414_ = _e3134;
+            } else {
+                phi_3414_ = 0f;
+            }
+            let _e3136 = phi_3414_;
+            if (_e2899 > 0f) {
+                if (_e2899 < 1f) {
+                    phi_3424_ = _e2899;
+                } else {
+                    phi_3424_ = 1f;
+                }
+                let _e3141 = phi_3424_;
+                phi_3425_ = _e3141;
+            } else {
+                phi_3425_ = 0f;
+            }
+            let _e3143 = phi_3425_;
+            let _e3146 = ((sqrt(_e3129) * 255f) + 0.5f);
+            let _e3155 = ((sqrt(_e3136) * 255f) + 0.5f);
+            let _e3167 = ((sqrt(_e3143) * 255f) + 0.5f);
+            phi_3460_ = abi_Sample(vec3<f32>(_e2702, _e2703, _e2704), _e2901, _e2794, _e2906, _e3123, ((select(select(u32(_e3146), 0u, (_e3146 < bitcast<f32>(0u))), 4294967295u, (_e3146 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3155), 0u, (_e3155 < bitcast<f32>(0u))), 4294967295u, (_e3155 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3167), 0u, (_e3167 < bitcast<f32>(0u))), 4294967295u, (_e3167 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3447_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3460_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2937 = phi_3447_;
-        if (_e90.first_primitive < arrayLength((&samples.member))) {
+        let _e3181 = phi_3460_;
+        if (_e88.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e90.first_primitive)] = _e2937;
+        samples.member[(0u + _e88.first_primitive)] = _e3181;
     }
     return;
 }

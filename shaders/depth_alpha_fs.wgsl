@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -27,7 +19,7 @@ struct abi_DepthParams {
     pad2_: u32,
 }
 
-struct type_12 {
+struct type_7 {
     member: abi_DepthParams,
 }
 
@@ -40,11 +32,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_16 {
+struct type_12 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_20 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_16 {
     member: array<abi_Vertex>,
 }
 
@@ -59,11 +59,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_25 {
+struct type_21 {
     member: array<abi_Material>,
 }
 
-struct type_29 {
+struct type_25 {
     member: array<u32>,
 }
 
@@ -81,347 +81,532 @@ struct texture_Axis {
 var<private> at_1: vec4<f32>;
 var<private> triangle_1: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_12;
+var<uniform> p: type_7;
 @group(0) @binding(1) 
-var<storage> triangles: type_16;
+var<storage> triangles: type_12;
 @group(0) @binding(2) 
-var<storage> vertices: type_20;
+var<storage> vertices: type_16;
 @group(0) @binding(3) 
-var<storage> materials: type_25;
+var<storage> materials: type_21;
 @group(0) @binding(4) 
-var<storage> alpha_texels: type_29;
+var<storage> alpha_texels: type_25;
 
 fn spirv_std_arch_kill() {
     discard;
 }
 
-fn lt_shaders_texture_wrap_to_unit(param: f32, param_1: u32) -> f32 {
-    var phi_818_: f32;
-    var phi_819_: f32;
-    var phi_820_: f32;
-    var phi_829_: f32;
-    var phi_830_: f32;
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_542_: f32;
+    var phi_547_: f32;
+    var phi_548_: bool;
+    var phi_549_: f32;
+    var phi_550_: bool;
+    var phi_554_: f32;
+    var phi_580_: f32;
+    var phi_585_: f32;
+    var phi_586_: bool;
+    var phi_587_: f32;
+    var phi_588_: bool;
+    var phi_592_: f32;
+    var phi_600_: f32;
+    var phi_601_: f32;
+    var phi_602_: f32;
+    var phi_611_: f32;
+    var phi_612_: f32;
+    var phi_630_: u32;
+    var phi_644_: u32;
+    var phi_651_: u32;
+    var phi_656_: u32;
+    var phi_662_: u32;
+    var phi_667_: u32;
+    var phi_669_: texture_Axis;
+    var phi_697_: f32;
+    var phi_702_: f32;
+    var phi_703_: bool;
+    var phi_704_: f32;
+    var phi_705_: bool;
+    var phi_709_: f32;
+    var phi_735_: f32;
+    var phi_740_: f32;
+    var phi_741_: bool;
+    var phi_742_: f32;
+    var phi_743_: bool;
+    var phi_747_: f32;
+    var phi_755_: f32;
+    var phi_756_: f32;
+    var phi_757_: f32;
+    var phi_766_: f32;
+    var phi_767_: f32;
+    var phi_785_: u32;
+    var phi_799_: u32;
+    var phi_806_: u32;
+    var phi_811_: u32;
+    var phi_817_: u32;
+    var phi_822_: u32;
+    var phi_824_: texture_Axis;
 
-    if (param_1 == 0u) {
-        phi_820_ = (param - floor(param));
-    } else {
-        if (param_1 == 1u) {
-            let _e41 = (param - (2f * floor((param * 0.5f))));
-            if (_e41 > 1f) {
-                phi_818_ = (2f - _e41);
+    let _e43 = (*param).size;
+    let _e44 = (_e43 & 65535u);
+    let _e46 = (*param).size;
+    let _e48 = (_e46 >> bitcast<u32>(16i));
+    let _e50 = (*param).flags;
+    let _e52 = ((_e50 & 4u) != 0u);
+    let _e54 = (*param).flags;
+    let _e57 = ((_e54 >> bitcast<u32>(4u)) & 3u);
+    if (_e57 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e70 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e70 > param_1) {
+                phi_542_ = 1f;
             } else {
-                phi_818_ = _e41;
+                phi_542_ = 0f;
             }
-            let _e45 = phi_818_;
-            phi_819_ = _e45;
+            let _e73 = phi_542_;
+            if (param_1 < 8388608f) {
+                phi_547_ = (_e70 - _e73);
+                phi_548_ = false;
+            } else {
+                phi_547_ = f32();
+                phi_548_ = true;
+            }
+            let _e76 = phi_547_;
+            let _e78 = phi_548_;
+            phi_549_ = _e76;
+            phi_550_ = _e78;
         } else {
-            phi_819_ = param;
+            phi_549_ = f32();
+            phi_550_ = true;
         }
-        let _e47 = phi_819_;
-        phi_820_ = _e47;
-    }
-    let _e49 = phi_820_;
-    if (_e49 > 0f) {
-        if (_e49 < 1f) {
-            phi_829_ = _e49;
+        let _e80 = phi_549_;
+        let _e82 = phi_550_;
+        if _e82 {
+            phi_554_ = param_1;
         } else {
-            phi_829_ = 1f;
+            phi_554_ = _e80;
         }
-        let _e53 = phi_829_;
-        phi_830_ = _e53;
+        let _e84 = phi_554_;
+        phi_602_ = (param_1 - _e84);
     } else {
-        phi_830_ = 0f;
-    }
-    let _e55 = phi_830_;
-    return _e55;
-}
-
-fn lt_shaders_texture_axis(param_2: f32, param_3: u32, param_4: u32, param_5: bool) -> texture_Axis {
-    var phi_756_: u32;
-    var phi_770_: u32;
-    var phi_777_: u32;
-    var phi_782_: u32;
-    var phi_788_: u32;
-    var phi_793_: u32;
-    var phi_795_: texture_Axis;
-
-    let _e36 = lt_shaders_texture_wrap_to_unit(param_2, param_4);
-    let _e37 = (param_3 - 1u);
-    let _e39 = (_e36 * f32(param_3));
-    if param_5 {
-        let _e46 = select(select(u32(_e39), 0u, (_e39 < bitcast<f32>(0u))), 4294967295u, (_e39 > bitcast<f32>(1333788671u)));
-        if (_e37 < _e46) {
-            phi_756_ = _e37;
+        if (_e57 == 1u) {
+            let _e87 = (param_1 * 0.5f);
+            if (_e87 > -8388608f) {
+                let _e99 = f32(select(0i, select(select(i32(_e87), i32(-2147483648), (_e87 < bitcast<f32>(3472883712u))), 2147483647i, (_e87 > bitcast<f32>(1325400063u))), (_e87 == _e87)));
+                if (_e99 > _e87) {
+                    phi_580_ = 1f;
+                } else {
+                    phi_580_ = 0f;
+                }
+                let _e102 = phi_580_;
+                if (_e87 < 8388608f) {
+                    phi_585_ = (_e99 - _e102);
+                    phi_586_ = false;
+                } else {
+                    phi_585_ = f32();
+                    phi_586_ = true;
+                }
+                let _e105 = phi_585_;
+                let _e107 = phi_586_;
+                phi_587_ = _e105;
+                phi_588_ = _e107;
+            } else {
+                phi_587_ = f32();
+                phi_588_ = true;
+            }
+            let _e109 = phi_587_;
+            let _e111 = phi_588_;
+            if _e111 {
+                phi_592_ = _e87;
+            } else {
+                phi_592_ = _e109;
+            }
+            let _e113 = phi_592_;
+            let _e115 = (param_1 - (2f * _e113));
+            if (_e115 > 1f) {
+                phi_600_ = (2f - _e115);
+            } else {
+                phi_600_ = _e115;
+            }
+            let _e119 = phi_600_;
+            phi_601_ = _e119;
         } else {
-            phi_756_ = _e46;
+            phi_601_ = param_1;
         }
-        let _e49 = phi_756_;
-        phi_795_ = texture_Axis(_e49, _e49, 0f);
+        let _e121 = phi_601_;
+        phi_602_ = _e121;
+    }
+    let _e123 = phi_602_;
+    if (_e123 > 0f) {
+        if (_e123 < 1f) {
+            phi_611_ = _e123;
+        } else {
+            phi_611_ = 1f;
+        }
+        let _e127 = phi_611_;
+        phi_612_ = _e127;
     } else {
-        let _e51 = (_e39 + 0.5f);
-        let _e58 = select(select(u32(_e51), 0u, (_e51 < bitcast<f32>(0u))), 4294967295u, (_e51 > bitcast<f32>(1333788671u)));
-        if (param_3 < _e58) {
-            phi_770_ = param_3;
-        } else {
-            phi_770_ = _e58;
-        }
-        let _e61 = phi_770_;
-        if (param_4 == 0u) {
-            phi_777_ = _e37;
-        } else {
-            phi_777_ = 0u;
-        }
-        let _e66 = phi_777_;
-        if (param_4 == 0u) {
-            phi_782_ = 0u;
-        } else {
-            phi_782_ = _e37;
-        }
-        let _e69 = phi_782_;
-        if (_e61 == 0u) {
-            phi_788_ = _e66;
-        } else {
-            phi_788_ = (_e61 - 1u);
-        }
-        let _e73 = phi_788_;
-        if (_e61 > _e37) {
-            phi_793_ = _e69;
-        } else {
-            phi_793_ = _e61;
-        }
-        let _e76 = phi_793_;
-        phi_795_ = texture_Axis(_e73, _e76, (_e51 - f32(_e61)));
+        phi_612_ = 0f;
     }
-    let _e79 = phi_795_;
-    return _e79;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_6: ptr<function, texture_TextureView>, param_7: f32, param_8: f32) -> texture_TexelQuad {
-    let _e36 = (*param_6).size;
-    let _e37 = (_e36 & 65535u);
-    let _e39 = (*param_6).size;
-    let _e43 = (*param_6).flags;
-    let _e45 = ((_e43 & 4u) != 0u);
-    let _e47 = (*param_6).flags;
-    let _e51 = lt_shaders_texture_axis(param_7, _e37, ((_e47 >> bitcast<u32>(4u)) & 3u), _e45);
-    let _e53 = (*param_6).flags;
-    let _e57 = lt_shaders_texture_axis(param_8, (_e39 >> bitcast<u32>(16i)), ((_e53 >> bitcast<u32>(6u)) & 3u), _e45);
-    let _e61 = (*param_6).offset;
-    let _e68 = (*param_6).offset;
-    let _e75 = (*param_6).offset;
-    let _e82 = (*param_6).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e61 + (_e57.low * _e37)) + _e51.low), ((_e68 + (_e57.low * _e37)) + _e51.high), ((_e75 + (_e57.high * _e37)) + _e51.low), ((_e82 + (_e57.high * _e37)) + _e51.high)), vec4<f32>(((1f - _e51.fraction) * (1f - _e57.fraction)), (_e51.fraction * (1f - _e57.fraction)), ((1f - _e51.fraction) * _e57.fraction), (_e51.fraction * _e57.fraction)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_9: ptr<function, array<abi_Vertex, 3>>, param_10: vec3<f32>) -> vec2<f32> {
-    let _e36 = (*param_9)[0u].u;
-    let _e39 = (*param_9)[0u].v;
-    let _e45 = (*param_9)[1u].u;
-    let _e48 = (*param_9)[1u].v;
-    let _e56 = (*param_9)[2u].u;
-    let _e59 = (*param_9)[2u].v;
-    return vec2<f32>((((_e36 * param_10.x) + (_e45 * param_10.y)) + (_e56 * param_10.z)), (((_e39 * param_10.x) + (_e48 * param_10.y)) + (_e59 * param_10.z)));
-}
-
-fn lt_shaders_texture_unorm_bytes(param_11: u32) -> vec4<f32> {
-    let _e46 = (1f / 255f);
-    return vec4<f32>((f32((param_11 & 255u)) * _e46), (f32(((param_11 >> bitcast<u32>(8i)) & 255u)) * _e46), (f32(((param_11 >> bitcast<u32>(16i)) & 255u)) * _e46), (f32((param_11 >> bitcast<u32>(24i))) * _e46));
-}
-
-fn lt_shaders_surface_vertex_color(param_12: ptr<function, array<abi_Vertex, 3>>, param_13: vec3<f32>) -> vec4<f32> {
-    let _e36 = (*param_12)[0u].color;
-    let _e37 = lt_shaders_texture_unorm_bytes(_e36);
-    let _e49 = (*param_12)[1u].color;
-    let _e50 = lt_shaders_texture_unorm_bytes(_e49);
-    let _e66 = (*param_12)[2u].color;
-    let _e67 = lt_shaders_texture_unorm_bytes(_e66);
-    return vec4<f32>((((_e37.x * param_13.x) + (_e50.x * param_13.y)) + (_e67.x * param_13.z)), (((_e37.y * param_13.x) + (_e50.y * param_13.y)) + (_e67.y * param_13.z)), (((_e37.z * param_13.x) + (_e50.z * param_13.y)) + (_e67.z * param_13.z)), (((_e37.w * param_13.x) + (_e50.w * param_13.y)) + (_e67.w * param_13.z)));
-}
-
-fn lt_shaders_depth_weights_at(param_14: f32, param_15: f32, param_16: ptr<function, array<vec3<f32>, 3>>) -> vec3<f32> {
-    var phi_560_: vec3<f32>;
-
-    let _e36 = (*param_16)[0u];
-    let _e39 = (_e36.x - param_14);
-    let _e40 = (_e36.y - param_15);
-    let _e42 = (*param_16)[1u];
-    let _e45 = (_e42.x - param_14);
-    let _e46 = (_e42.y - param_15);
-    let _e48 = (*param_16)[2u];
-    let _e51 = (_e48.x - param_14);
-    let _e52 = (_e48.y - param_15);
-    let _e55 = ((_e51 * _e46) - (_e52 * _e45));
-    let _e58 = ((_e39 * _e52) - (_e40 * _e51));
-    let _e61 = ((_e45 * _e40) - (_e46 * _e39));
-    let _e63 = ((_e55 + _e58) + _e61);
-    if (_e63 == 0f) {
-        phi_560_ = vec3<f32>(1f, 0f, 0f);
+    let _e129 = phi_612_;
+    let _e130 = (_e44 - 1u);
+    let _e132 = (_e129 * f32(_e44));
+    if _e52 {
+        let _e139 = select(select(u32(_e132), 0u, (_e132 < bitcast<f32>(0u))), 4294967295u, (_e132 > bitcast<f32>(1333788671u)));
+        if (_e130 < _e139) {
+            phi_630_ = _e130;
+        } else {
+            phi_630_ = _e139;
+        }
+        let _e142 = phi_630_;
+        phi_669_ = texture_Axis(_e142, _e142, 0f);
     } else {
-        phi_560_ = vec3<f32>((_e55 / _e63), (_e58 / _e63), (_e61 / _e63));
+        let _e144 = (_e132 + 0.5f);
+        let _e151 = select(select(u32(_e144), 0u, (_e144 < bitcast<f32>(0u))), 4294967295u, (_e144 > bitcast<f32>(1333788671u)));
+        if (_e44 < _e151) {
+            phi_644_ = _e44;
+        } else {
+            phi_644_ = _e151;
+        }
+        let _e154 = phi_644_;
+        if (_e57 == 0u) {
+            phi_651_ = _e130;
+        } else {
+            phi_651_ = 0u;
+        }
+        let _e159 = phi_651_;
+        if (_e57 == 0u) {
+            phi_656_ = 0u;
+        } else {
+            phi_656_ = _e130;
+        }
+        let _e162 = phi_656_;
+        if (_e154 == 0u) {
+            phi_662_ = _e159;
+        } else {
+            phi_662_ = (_e154 - 1u);
+        }
+        let _e166 = phi_662_;
+        if (_e154 > _e130) {
+            phi_667_ = _e162;
+        } else {
+            phi_667_ = _e154;
+        }
+        let _e169 = phi_667_;
+        phi_669_ = texture_Axis(_e166, _e169, (_e144 - f32(_e154)));
     }
-    let _e70 = phi_560_;
-    return _e70;
+    let _e172 = phi_669_;
+    let _e174 = (*param).flags;
+    let _e177 = ((_e174 >> bitcast<u32>(6u)) & 3u);
+    if (_e177 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e190 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e190 > param_2) {
+                phi_697_ = 1f;
+            } else {
+                phi_697_ = 0f;
+            }
+            let _e193 = phi_697_;
+            if (param_2 < 8388608f) {
+                phi_702_ = (_e190 - _e193);
+                phi_703_ = false;
+            } else {
+                phi_702_ = f32();
+                phi_703_ = true;
+            }
+            let _e196 = phi_702_;
+            let _e198 = phi_703_;
+            phi_704_ = _e196;
+            phi_705_ = _e198;
+        } else {
+            phi_704_ = f32();
+            phi_705_ = true;
+        }
+        let _e200 = phi_704_;
+        let _e202 = phi_705_;
+        if _e202 {
+            phi_709_ = param_2;
+        } else {
+            phi_709_ = _e200;
+        }
+        let _e204 = phi_709_;
+        phi_757_ = (param_2 - _e204);
+    } else {
+        if (_e177 == 1u) {
+            let _e207 = (param_2 * 0.5f);
+            if (_e207 > -8388608f) {
+                let _e219 = f32(select(0i, select(select(i32(_e207), i32(-2147483648), (_e207 < bitcast<f32>(3472883712u))), 2147483647i, (_e207 > bitcast<f32>(1325400063u))), (_e207 == _e207)));
+                if (_e219 > _e207) {
+                    phi_735_ = 1f;
+                } else {
+                    phi_735_ = 0f;
+                }
+                let _e222 = phi_735_;
+                if (_e207 < 8388608f) {
+                    phi_740_ = (_e219 - _e222);
+                    phi_741_ = false;
+                } else {
+                    phi_740_ = f32();
+                    phi_741_ = true;
+                }
+                let _e225 = phi_740_;
+                let _e227 = phi_741_;
+                phi_742_ = _e225;
+                phi_743_ = _e227;
+            } else {
+                phi_742_ = f32();
+                phi_743_ = true;
+            }
+            let _e229 = phi_742_;
+            let _e231 = phi_743_;
+            if _e231 {
+                phi_747_ = _e207;
+            } else {
+                phi_747_ = _e229;
+            }
+            let _e233 = phi_747_;
+            let _e235 = (param_2 - (2f * _e233));
+            if (_e235 > 1f) {
+                phi_755_ = (2f - _e235);
+            } else {
+                phi_755_ = _e235;
+            }
+            let _e239 = phi_755_;
+            phi_756_ = _e239;
+        } else {
+            phi_756_ = param_2;
+        }
+        let _e241 = phi_756_;
+        phi_757_ = _e241;
+    }
+    let _e243 = phi_757_;
+    if (_e243 > 0f) {
+        if (_e243 < 1f) {
+            phi_766_ = _e243;
+        } else {
+            phi_766_ = 1f;
+        }
+        let _e247 = phi_766_;
+        phi_767_ = _e247;
+    } else {
+        phi_767_ = 0f;
+    }
+    let _e249 = phi_767_;
+    let _e250 = (_e48 - 1u);
+    let _e252 = (_e249 * f32(_e48));
+    if _e52 {
+        let _e259 = select(select(u32(_e252), 0u, (_e252 < bitcast<f32>(0u))), 4294967295u, (_e252 > bitcast<f32>(1333788671u)));
+        if (_e250 < _e259) {
+            phi_785_ = _e250;
+        } else {
+            phi_785_ = _e259;
+        }
+        let _e262 = phi_785_;
+        phi_824_ = texture_Axis(_e262, _e262, 0f);
+    } else {
+        let _e264 = (_e252 + 0.5f);
+        let _e271 = select(select(u32(_e264), 0u, (_e264 < bitcast<f32>(0u))), 4294967295u, (_e264 > bitcast<f32>(1333788671u)));
+        if (_e48 < _e271) {
+            phi_799_ = _e48;
+        } else {
+            phi_799_ = _e271;
+        }
+        let _e274 = phi_799_;
+        if (_e177 == 0u) {
+            phi_806_ = _e250;
+        } else {
+            phi_806_ = 0u;
+        }
+        let _e279 = phi_806_;
+        if (_e177 == 0u) {
+            phi_811_ = 0u;
+        } else {
+            phi_811_ = _e250;
+        }
+        let _e282 = phi_811_;
+        if (_e274 == 0u) {
+            phi_817_ = _e279;
+        } else {
+            phi_817_ = (_e274 - 1u);
+        }
+        let _e286 = phi_817_;
+        if (_e274 > _e250) {
+            phi_822_ = _e282;
+        } else {
+            phi_822_ = _e274;
+        }
+        let _e289 = phi_822_;
+        phi_824_ = texture_Axis(_e286, _e289, (_e264 - f32(_e274)));
+    }
+    let _e292 = phi_824_;
+    let _e296 = (*param).offset;
+    let _e303 = (*param).offset;
+    let _e310 = (*param).offset;
+    let _e317 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e296 + (_e292.low * _e44)) + _e172.low), ((_e303 + (_e292.low * _e44)) + _e172.high), ((_e310 + (_e292.high * _e44)) + _e172.low), ((_e317 + (_e292.high * _e44)) + _e172.high)), vec4<f32>(((1f - _e172.fraction) * (1f - _e292.fraction)), (_e172.fraction * (1f - _e292.fraction)), ((1f - _e172.fraction) * _e292.fraction), (_e172.fraction * _e292.fraction)));
 }
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<vec3<f32>, 3>;
-    var local_2: array<abi_Vertex, 3>;
-    var phi_157_: vec3<f32>;
-    var phi_158_: vec3<f32>;
-    var phi_219_: vec3<f32>;
-    var phi_220_: vec3<f32>;
-    var phi_281_: vec3<f32>;
-    var phi_282_: vec3<f32>;
-    var phi_509_: f32;
-    var phi_513_: bool;
-    var phi_514_: bool;
+    var phi_139_: vec3<f32>;
+    var phi_140_: vec3<f32>;
+    var phi_189_: vec3<f32>;
+    var phi_190_: vec3<f32>;
+    var phi_239_: vec3<f32>;
+    var phi_240_: vec3<f32>;
+    var phi_303_: vec3<f32>;
+    var phi_491_: f32;
+    var phi_495_: bool;
+    var phi_496_: bool;
 
-    let _e35 = at_1;
-    let _e36 = triangle_1;
-    let _e43 = arrayLength((&vertices.member));
-    let _e49 = arrayLength((&alpha_texels.member));
-    if (_e36 < arrayLength((&triangles.member))) {
+    let _e40 = at_1;
+    let _e41 = triangle_1;
+    let _e48 = arrayLength((&vertices.member));
+    let _e54 = arrayLength((&alpha_texels.member));
+    if (_e41 < arrayLength((&triangles.member))) {
     } else {
         return;
     }
-    let _e53 = triangles.member[(0u + _e36)];
+    let _e58 = triangles.member[(0u + _e41)];
     if (0u == 0u) {
-        phi_158_ = _e53.v0_;
+        phi_140_ = _e58.v0_;
     } else {
         if (0u == 1u) {
-            phi_157_ = _e53.v1_;
+            phi_139_ = _e58.v1_;
         } else {
-            phi_157_ = _e53.v2_;
+            phi_139_ = _e58.v2_;
         }
-        let _e62 = phi_157_;
-        phi_158_ = _e62;
+        let _e67 = phi_139_;
+        phi_140_ = _e67;
     }
-    let _e64 = phi_158_;
-    let _e66 = p.member.map_size;
-    let _e71 = f32(_e66);
-    let _e73 = p.member.projection.row_x;
-    let _e87 = p.member.projection.row_y;
-    let _e101 = p.member.projection.row_z;
+    let _e69 = phi_140_;
+    let _e71 = p.member.map_size;
+    let _e76 = f32(_e71);
+    let _e78 = p.member.projection.row_x;
+    let _e92 = p.member.projection.row_y;
     if (1u == 0u) {
-        phi_220_ = _e53.v0_;
+        phi_190_ = _e58.v0_;
     } else {
         if (1u == 1u) {
-            phi_219_ = _e53.v1_;
+            phi_189_ = _e58.v1_;
         } else {
-            phi_219_ = _e53.v2_;
+            phi_189_ = _e58.v2_;
         }
-        let _e120 = phi_219_;
-        phi_220_ = _e120;
+        let _e113 = phi_189_;
+        phi_190_ = _e113;
     }
-    let _e122 = phi_220_;
-    let _e124 = p.member.map_size;
-    let _e129 = f32(_e124);
-    let _e131 = p.member.projection.row_x;
-    let _e145 = p.member.projection.row_y;
-    let _e159 = p.member.projection.row_z;
+    let _e115 = phi_190_;
+    let _e117 = p.member.map_size;
+    let _e122 = f32(_e117);
+    let _e124 = p.member.projection.row_x;
+    let _e138 = p.member.projection.row_y;
     if (2u == 0u) {
-        phi_282_ = _e53.v0_;
+        phi_240_ = _e58.v0_;
     } else {
         if (2u == 1u) {
-            phi_281_ = _e53.v1_;
+            phi_239_ = _e58.v1_;
         } else {
-            phi_281_ = _e53.v2_;
+            phi_239_ = _e58.v2_;
         }
-        let _e178 = phi_281_;
-        phi_282_ = _e178;
+        let _e159 = phi_239_;
+        phi_240_ = _e159;
     }
-    let _e180 = phi_282_;
-    let _e182 = p.member.map_size;
-    let _e187 = f32(_e182);
-    let _e189 = p.member.projection.row_x;
-    let _e203 = p.member.projection.row_y;
-    let _e217 = p.member.projection.row_z;
-    local_1[0u] = vec3<f32>((((((_e73.x * _e64.x) + (_e73.y * _e64.y)) + (_e73.z * _e64.z)) + (_e73.w * 1f)) * _e71), (((((_e87.x * _e64.x) + (_e87.y * _e64.y)) + (_e87.z * _e64.z)) + (_e87.w * 1f)) * _e71), ((((_e101.x * _e64.x) + (_e101.y * _e64.y)) + (_e101.z * _e64.z)) + (_e101.w * 1f)));
-    local_1[1u] = vec3<f32>((((((_e131.x * _e122.x) + (_e131.y * _e122.y)) + (_e131.z * _e122.z)) + (_e131.w * 1f)) * _e129), (((((_e145.x * _e122.x) + (_e145.y * _e122.y)) + (_e145.z * _e122.z)) + (_e145.w * 1f)) * _e129), ((((_e159.x * _e122.x) + (_e159.y * _e122.y)) + (_e159.z * _e122.z)) + (_e159.w * 1f)));
-    local_1[2u] = vec3<f32>((((((_e189.x * _e180.x) + (_e189.y * _e180.y)) + (_e189.z * _e180.z)) + (_e189.w * 1f)) * _e187), (((((_e203.x * _e180.x) + (_e203.y * _e180.y)) + (_e203.z * _e180.z)) + (_e203.w * 1f)) * _e187), ((((_e217.x * _e180.x) + (_e217.y * _e180.y)) + (_e217.z * _e180.z)) + (_e217.w * 1f)));
-    let _e233 = lt_shaders_depth_weights_at(_e35.x, _e35.y, (&local_1));
-    let _e235 = (_e53.i0_ & 2147483647u);
-    if (_e235 < _e43) {
+    let _e161 = phi_240_;
+    let _e163 = p.member.map_size;
+    let _e168 = f32(_e163);
+    let _e170 = p.member.projection.row_x;
+    let _e184 = p.member.projection.row_y;
+    let _e199 = ((((((_e78.x * _e69.x) + (_e78.y * _e69.y)) + (_e78.z * _e69.z)) + (_e78.w * 1f)) * _e76) - _e40.x);
+    let _e200 = ((((((_e92.x * _e69.x) + (_e92.y * _e69.y)) + (_e92.z * _e69.z)) + (_e92.w * 1f)) * _e76) - _e40.y);
+    let _e201 = ((((((_e124.x * _e115.x) + (_e124.y * _e115.y)) + (_e124.z * _e115.z)) + (_e124.w * 1f)) * _e122) - _e40.x);
+    let _e202 = ((((((_e138.x * _e115.x) + (_e138.y * _e115.y)) + (_e138.z * _e115.z)) + (_e138.w * 1f)) * _e122) - _e40.y);
+    let _e203 = ((((((_e170.x * _e161.x) + (_e170.y * _e161.y)) + (_e170.z * _e161.z)) + (_e170.w * 1f)) * _e168) - _e40.x);
+    let _e204 = ((((((_e184.x * _e161.x) + (_e184.y * _e161.y)) + (_e184.z * _e161.z)) + (_e184.w * 1f)) * _e168) - _e40.y);
+    let _e207 = ((_e203 * _e202) - (_e204 * _e201));
+    let _e210 = ((_e199 * _e204) - (_e200 * _e203));
+    let _e213 = ((_e201 * _e200) - (_e202 * _e199));
+    let _e215 = ((_e207 + _e210) + _e213);
+    if (_e215 == 0f) {
+        phi_303_ = vec3<f32>(1f, 0f, 0f);
+    } else {
+        phi_303_ = vec3<f32>((_e207 / _e215), (_e210 / _e215), (_e213 / _e215));
+    }
+    let _e222 = phi_303_;
+    let _e224 = (_e58.i0_ & 2147483647u);
+    if (_e224 < _e48) {
     } else {
         return;
     }
-    let _e241 = vertices.member[(0u + _e235)];
-    if (_e53.i1_ < _e43) {
+    let _e230 = vertices.member[(0u + _e224)];
+    if (_e58.i1_ < _e48) {
     } else {
         return;
     }
-    let _e245 = vertices.member[(0u + _e53.i1_)];
-    if (_e53.i2_ < _e43) {
+    let _e234 = vertices.member[(0u + _e58.i1_)];
+    if (_e58.i2_ < _e48) {
     } else {
         return;
     }
-    let _e249 = vertices.member[(0u + _e53.i2_)];
-    let _e250 = array<abi_Vertex, 3>(_e241, _e245, _e249);
-    local_2 = array<abi_Vertex, 3>(abi_Vertex(_e250[0].u, _e250[0].v, _e250[0].normal, _e250[0].color, _e250[0].material), abi_Vertex(_e250[1].u, _e250[1].v, _e250[1].normal, _e250[1].color, _e250[1].material), abi_Vertex(_e250[2].u, _e250[2].v, _e250[2].normal, _e250[2].color, _e250[2].material));
-    let _e275 = local_2[0u].material;
-    if (_e275 < arrayLength((&materials.member))) {
+    let _e238 = vertices.member[(0u + _e58.i2_)];
+    let _e239 = array<abi_Vertex, 3>(_e230, _e234, _e238);
+    if (_e239[0].material < arrayLength((&materials.member))) {
     } else {
         return;
     }
-    let _e280 = materials.member[(0u + _e275)].flags;
-    if ((_e280 & 1u) == 0u) {
-        phi_514_ = false;
+    let _e246 = materials.member[(0u + _e239[0].material)].flags;
+    if ((_e246 & 1u) == 0u) {
+        phi_496_ = false;
     } else {
-        let _e284 = materials.member[(0u + _e275)].cutoff;
-        if (_e284 <= 0f) {
-            phi_513_ = true;
+        let _e250 = materials.member[(0u + _e239[0].material)].cutoff;
+        if (_e250 <= 0f) {
+            phi_495_ = true;
         } else {
-            let _e288 = materials.member[(0u + _e275)].base_color[3u];
-            let _e289 = lt_shaders_surface_vertex_color((&local_2), _e233);
-            let _e291 = (_e288 * _e289.w);
-            let _e293 = materials.member[(0u + _e275)].alpha_size;
-            if (_e293 == 0u) {
-                phi_509_ = _e291;
+            let _e254 = materials.member[(0u + _e239[0].material)].base_color[3u];
+            let _e284 = (_e254 * ((((f32((_e239[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e222.x) + ((f32((_e239[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e222.y)) + ((f32((_e239[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e222.z)));
+            let _e286 = materials.member[(0u + _e239[0].material)].alpha_size;
+            if (_e286 == 0u) {
+                phi_491_ = _e284;
             } else {
-                let _e296 = materials.member[(0u + _e275)].alpha_offset;
-                let _e298 = materials.member[(0u + _e275)].alpha_size;
-                let _e300 = materials.member[(0u + _e275)].flags;
-                local.offset = _e296;
-                local.size = _e298;
-                local.flags = _e300;
-                let _e304 = lt_shaders_surface_texture_coordinate((&local_2), _e233);
-                let _e307 = _lt_shaders_texture_TextureView_quad((&local), _e304.x, _e304.y);
-                let _e311 = (_e307.indices[0] >> bitcast<u32>(2i));
-                if (_e311 < _e49) {
+                let _e289 = materials.member[(0u + _e239[0].material)].alpha_offset;
+                let _e291 = materials.member[(0u + _e239[0].material)].alpha_size;
+                let _e293 = materials.member[(0u + _e239[0].material)].flags;
+                local.offset = _e289;
+                local.size = _e291;
+                local.flags = _e293;
+                let _e322 = _lt_shaders_texture_TextureView_quad((&local), (((_e239[0].u * _e222.x) + (_e239[1].u * _e222.y)) + (_e239[2].u * _e222.z)), (((_e239[0].v * _e222.x) + (_e239[1].v * _e222.y)) + (_e239[2].v * _e222.z)));
+                let _e326 = (_e322.indices[0] >> bitcast<u32>(2i));
+                if (_e326 < _e54) {
                 } else {
                     return;
                 }
-                let _e315 = alpha_texels.member[(0u + _e311)];
-                let _e331 = (_e307.indices[1] >> bitcast<u32>(2i));
-                if (_e331 < _e49) {
+                let _e330 = alpha_texels.member[(0u + _e326)];
+                let _e346 = (_e322.indices[1] >> bitcast<u32>(2i));
+                if (_e346 < _e54) {
                 } else {
                     return;
                 }
-                let _e335 = alpha_texels.member[(0u + _e331)];
-                let _e352 = (_e307.indices[2] >> bitcast<u32>(2i));
-                if (_e352 < _e49) {
+                let _e350 = alpha_texels.member[(0u + _e346)];
+                let _e367 = (_e322.indices[2] >> bitcast<u32>(2i));
+                if (_e367 < _e54) {
                 } else {
                     return;
                 }
-                let _e356 = alpha_texels.member[(0u + _e352)];
-                let _e373 = (_e307.indices[3] >> bitcast<u32>(2i));
-                if (_e373 < _e49) {
+                let _e371 = alpha_texels.member[(0u + _e367)];
+                let _e388 = (_e322.indices[3] >> bitcast<u32>(2i));
+                if (_e388 < _e54) {
                 } else {
                     return;
                 }
-                let _e377 = alpha_texels.member[(0u + _e373)];
-                phi_509_ = (_e291 * (((((f32(((_e315 >> bitcast<u32>((((_e307.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e307.weights.x) + ((f32(((_e335 >> bitcast<u32>((((_e307.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e307.weights.y)) + ((f32(((_e356 >> bitcast<u32>((((_e307.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e307.weights.z)) + ((f32(((_e377 >> bitcast<u32>((((_e307.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e307.weights.w)));
+                let _e392 = alpha_texels.member[(0u + _e388)];
+                phi_491_ = (_e284 * (((((f32(((_e330 >> bitcast<u32>((((_e322.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e322.weights.x) + ((f32(((_e350 >> bitcast<u32>((((_e322.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e322.weights.y)) + ((f32(((_e371 >> bitcast<u32>((((_e322.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e322.weights.z)) + ((f32(((_e392 >> bitcast<u32>((((_e322.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e322.weights.w)));
             }
-            let _e393 = phi_509_;
-            let _e395 = materials.member[(0u + _e275)].cutoff;
-            phi_513_ = (_e393 >= _e395);
+            let _e408 = phi_491_;
+            let _e410 = materials.member[(0u + _e239[0].material)].cutoff;
+            phi_495_ = (_e408 >= _e410);
         }
-        let _e398 = phi_513_;
-        phi_514_ = _e398;
+        let _e413 = phi_495_;
+        phi_496_ = _e413;
     }
-    let _e400 = phi_514_;
-    if _e400 {
+    let _e415 = phi_496_;
+    if _e415 {
     } else {
         spirv_std_arch_kill();
     }

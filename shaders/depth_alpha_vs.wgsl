@@ -13,7 +13,7 @@ struct abi_DepthParams {
     pad2_: u32,
 }
 
-struct type_6 {
+struct type_5 {
     member: abi_DepthParams,
 }
 
@@ -36,7 +36,7 @@ struct VertexOutput {
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_6;
+var<uniform> p: type_5;
 @group(0) @binding(1) 
 var<storage> triangles: type_10;
 var<private> vertex_1: u32;
@@ -44,8 +44,8 @@ var<private> triangle: u32;
 var<private> position: vec4<f32> = vec4<f32>(0f, 0f, 0f, 1f);
 
 fn function_() {
-    var phi_70_: vec3<f32>;
     var phi_71_: vec3<f32>;
+    var phi_72_: vec3<f32>;
 
     let _e12 = vertex_1;
     triangle = (_e12 / 3u);
@@ -57,25 +57,25 @@ fn function_() {
     let _e22 = (_e12 % 3u);
     if (_e22 == 0u) {
         let _e25 = triangles.member[(0u + _e18)].v0_;
-        phi_71_ = _e25;
+        phi_72_ = _e25;
     } else {
         if (_e22 == 1u) {
             let _e28 = triangles.member[(0u + _e18)].v1_;
-            phi_70_ = _e28;
+            phi_71_ = _e28;
         } else {
             let _e30 = triangles.member[(0u + _e18)].v2_;
-            phi_70_ = _e30;
+            phi_71_ = _e30;
         }
-        let _e32 = phi_70_;
-        phi_71_ = _e32;
+        let _e32 = phi_71_;
+        phi_72_ = _e32;
     }
-    let _e34 = phi_71_;
+    let _e34 = phi_72_;
     let _e40 = p.member.projection.row_w;
     let _e51 = ((((_e40.x * _e34.x) + (_e40.y * _e34.y)) + (_e40.z * _e34.z)) + (_e40.w * 1f));
     let _e53 = p.member.projection.row_x;
     let _e66 = p.member.projection.row_y;
     let _e83 = p.member.projection.row_z;
-    position = vec4<f32>(((2f * ((((_e53.x * _e34.x) + (_e53.y * _e34.y)) + (_e53.z * _e34.z)) + (_e53.w * 1f))) - _e51), ((2f * ((((_e66.x * _e34.x) + (_e66.y * _e34.y)) + (_e66.z * _e34.z)) + (_e66.w * 1f))) - _e51), (((((_e83.x * _e34.x) + (_e83.y * _e34.y)) + (_e83.z * _e34.z)) + (_e83.w * 1f)) * _e51), _e51);
+    position = vec4<f32>(((2f * ((((_e53.x * _e34.x) + (_e53.y * _e34.y)) + (_e53.z * _e34.z)) + (_e53.w * 1f))) - _e51), (_e51 - (2f * ((((_e66.x * _e34.x) + (_e66.y * _e34.y)) + (_e66.z * _e34.z)) + (_e66.w * 1f)))), (((((_e83.x * _e34.x) + (_e83.y * _e34.y)) + (_e83.z * _e34.z)) + (_e83.w * 1f)) * _e51), _e51);
     return;
 }
 

@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -27,7 +19,7 @@ struct abi_DepthParams {
     pad2_: u32,
 }
 
-struct type_12 {
+struct type_7 {
     member: abi_DepthParams,
 }
 
@@ -40,11 +32,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_16 {
+struct type_12 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_20 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_16 {
     member: array<abi_Vertex>,
 }
 
@@ -59,11 +59,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_25 {
+struct type_21 {
     member: array<abi_Material>,
 }
 
-struct type_29 {
+struct type_25 {
     member: array<u32>,
 }
 
@@ -89,192 +89,373 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_50 {
+struct type_43 {
     member: array<lt_bvh_Instance>,
 }
 
 var<private> at_1: vec4<f32>;
 var<private> triangle_1: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_12;
+var<uniform> p: type_7;
 @group(0) @binding(1) 
-var<storage> triangles: type_16;
+var<storage> triangles: type_12;
 @group(0) @binding(2) 
-var<storage> instances: type_50;
+var<storage> instances: type_43;
 var<private> placed_1: u32;
 @group(0) @binding(3) 
-var<storage> vertices: type_20;
+var<storage> vertices: type_16;
 @group(0) @binding(4) 
-var<storage> materials: type_25;
+var<storage> materials: type_21;
 @group(0) @binding(5) 
-var<storage> alpha_texels: type_29;
+var<storage> alpha_texels: type_25;
 
-fn lt_shaders_depth_weights_at(param: f32, param_1: f32, param_2: ptr<function, array<vec3<f32>, 3>>) -> vec3<f32> {
-    var phi_174_: vec3<f32>;
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_158_: f32;
+    var phi_163_: f32;
+    var phi_164_: bool;
+    var phi_165_: f32;
+    var phi_166_: bool;
+    var phi_170_: f32;
+    var phi_196_: f32;
+    var phi_201_: f32;
+    var phi_202_: bool;
+    var phi_203_: f32;
+    var phi_204_: bool;
+    var phi_208_: f32;
+    var phi_216_: f32;
+    var phi_217_: f32;
+    var phi_218_: f32;
+    var phi_227_: f32;
+    var phi_228_: f32;
+    var phi_246_: u32;
+    var phi_260_: u32;
+    var phi_267_: u32;
+    var phi_272_: u32;
+    var phi_278_: u32;
+    var phi_283_: u32;
+    var phi_285_: texture_Axis;
+    var phi_313_: f32;
+    var phi_318_: f32;
+    var phi_319_: bool;
+    var phi_320_: f32;
+    var phi_321_: bool;
+    var phi_325_: f32;
+    var phi_351_: f32;
+    var phi_356_: f32;
+    var phi_357_: bool;
+    var phi_358_: f32;
+    var phi_359_: bool;
+    var phi_363_: f32;
+    var phi_371_: f32;
+    var phi_372_: f32;
+    var phi_373_: f32;
+    var phi_382_: f32;
+    var phi_383_: f32;
+    var phi_401_: u32;
+    var phi_415_: u32;
+    var phi_422_: u32;
+    var phi_427_: u32;
+    var phi_433_: u32;
+    var phi_438_: u32;
+    var phi_440_: texture_Axis;
 
-    let _e38 = (*param_2)[0u];
-    let _e41 = (_e38.x - param);
-    let _e42 = (_e38.y - param_1);
-    let _e44 = (*param_2)[1u];
-    let _e47 = (_e44.x - param);
-    let _e48 = (_e44.y - param_1);
-    let _e50 = (*param_2)[2u];
-    let _e53 = (_e50.x - param);
-    let _e54 = (_e50.y - param_1);
-    let _e57 = ((_e53 * _e48) - (_e54 * _e47));
-    let _e60 = ((_e41 * _e54) - (_e42 * _e53));
-    let _e63 = ((_e47 * _e42) - (_e48 * _e41));
-    let _e65 = ((_e57 + _e60) + _e63);
-    if (_e65 == 0f) {
-        phi_174_ = vec3<f32>(1f, 0f, 0f);
-    } else {
-        phi_174_ = vec3<f32>((_e57 / _e65), (_e60 / _e65), (_e63 / _e65));
-    }
-    let _e72 = phi_174_;
-    return _e72;
-}
-
-fn lt_shaders_texture_unorm_bytes(param_3: u32) -> vec4<f32> {
-    let _e48 = (1f / 255f);
-    return vec4<f32>((f32((param_3 & 255u)) * _e48), (f32(((param_3 >> bitcast<u32>(8i)) & 255u)) * _e48), (f32(((param_3 >> bitcast<u32>(16i)) & 255u)) * _e48), (f32((param_3 >> bitcast<u32>(24i))) * _e48));
-}
-
-fn lt_shaders_surface_vertex_color(param_4: ptr<function, array<abi_Vertex, 3>>, param_5: vec3<f32>) -> vec4<f32> {
-    let _e38 = (*param_4)[0u].color;
-    let _e39 = lt_shaders_texture_unorm_bytes(_e38);
-    let _e51 = (*param_4)[1u].color;
-    let _e52 = lt_shaders_texture_unorm_bytes(_e51);
-    let _e68 = (*param_4)[2u].color;
-    let _e69 = lt_shaders_texture_unorm_bytes(_e68);
-    return vec4<f32>((((_e39.x * param_5.x) + (_e52.x * param_5.y)) + (_e69.x * param_5.z)), (((_e39.y * param_5.x) + (_e52.y * param_5.y)) + (_e69.y * param_5.z)), (((_e39.z * param_5.x) + (_e52.z * param_5.y)) + (_e69.z * param_5.z)), (((_e39.w * param_5.x) + (_e52.w * param_5.y)) + (_e69.w * param_5.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_6: ptr<function, array<abi_Vertex, 3>>, param_7: vec3<f32>) -> vec2<f32> {
-    let _e38 = (*param_6)[0u].u;
-    let _e41 = (*param_6)[0u].v;
-    let _e47 = (*param_6)[1u].u;
-    let _e50 = (*param_6)[1u].v;
-    let _e58 = (*param_6)[2u].u;
-    let _e61 = (*param_6)[2u].v;
-    return vec2<f32>((((_e38 * param_7.x) + (_e47 * param_7.y)) + (_e58 * param_7.z)), (((_e41 * param_7.x) + (_e50 * param_7.y)) + (_e61 * param_7.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_8: f32, param_9: u32) -> f32 {
-    var phi_432_: f32;
-    var phi_433_: f32;
-    var phi_434_: f32;
-    var phi_443_: f32;
-    var phi_444_: f32;
-
-    if (param_9 == 0u) {
-        phi_434_ = (param_8 - floor(param_8));
-    } else {
-        if (param_9 == 1u) {
-            let _e43 = (param_8 - (2f * floor((param_8 * 0.5f))));
-            if (_e43 > 1f) {
-                phi_432_ = (2f - _e43);
+    let _e45 = (*param).size;
+    let _e46 = (_e45 & 65535u);
+    let _e48 = (*param).size;
+    let _e50 = (_e48 >> bitcast<u32>(16i));
+    let _e52 = (*param).flags;
+    let _e54 = ((_e52 & 4u) != 0u);
+    let _e56 = (*param).flags;
+    let _e59 = ((_e56 >> bitcast<u32>(4u)) & 3u);
+    if (_e59 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e72 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e72 > param_1) {
+                phi_158_ = 1f;
             } else {
-                phi_432_ = _e43;
+                phi_158_ = 0f;
             }
-            let _e47 = phi_432_;
-            phi_433_ = _e47;
+            let _e75 = phi_158_;
+            if (param_1 < 8388608f) {
+                phi_163_ = (_e72 - _e75);
+                phi_164_ = false;
+            } else {
+                phi_163_ = f32();
+                phi_164_ = true;
+            }
+            let _e78 = phi_163_;
+            let _e80 = phi_164_;
+            phi_165_ = _e78;
+            phi_166_ = _e80;
         } else {
-            phi_433_ = param_8;
+            phi_165_ = f32();
+            phi_166_ = true;
         }
-        let _e49 = phi_433_;
-        phi_434_ = _e49;
-    }
-    let _e51 = phi_434_;
-    if (_e51 > 0f) {
-        if (_e51 < 1f) {
-            phi_443_ = _e51;
+        let _e82 = phi_165_;
+        let _e84 = phi_166_;
+        if _e84 {
+            phi_170_ = param_1;
         } else {
-            phi_443_ = 1f;
+            phi_170_ = _e82;
         }
-        let _e55 = phi_443_;
-        phi_444_ = _e55;
+        let _e86 = phi_170_;
+        phi_218_ = (param_1 - _e86);
     } else {
-        phi_444_ = 0f;
-    }
-    let _e57 = phi_444_;
-    return _e57;
-}
-
-fn lt_shaders_texture_axis(param_10: f32, param_11: u32, param_12: u32, param_13: bool) -> texture_Axis {
-    var phi_370_: u32;
-    var phi_384_: u32;
-    var phi_391_: u32;
-    var phi_396_: u32;
-    var phi_402_: u32;
-    var phi_407_: u32;
-    var phi_409_: texture_Axis;
-
-    let _e38 = lt_shaders_texture_wrap_to_unit(param_10, param_12);
-    let _e39 = (param_11 - 1u);
-    let _e41 = (_e38 * f32(param_11));
-    if param_13 {
-        let _e48 = select(select(u32(_e41), 0u, (_e41 < bitcast<f32>(0u))), 4294967295u, (_e41 > bitcast<f32>(1333788671u)));
-        if (_e39 < _e48) {
-            phi_370_ = _e39;
+        if (_e59 == 1u) {
+            let _e89 = (param_1 * 0.5f);
+            if (_e89 > -8388608f) {
+                let _e101 = f32(select(0i, select(select(i32(_e89), i32(-2147483648), (_e89 < bitcast<f32>(3472883712u))), 2147483647i, (_e89 > bitcast<f32>(1325400063u))), (_e89 == _e89)));
+                if (_e101 > _e89) {
+                    phi_196_ = 1f;
+                } else {
+                    phi_196_ = 0f;
+                }
+                let _e104 = phi_196_;
+                if (_e89 < 8388608f) {
+                    phi_201_ = (_e101 - _e104);
+                    phi_202_ = false;
+                } else {
+                    phi_201_ = f32();
+                    phi_202_ = true;
+                }
+                let _e107 = phi_201_;
+                let _e109 = phi_202_;
+                phi_203_ = _e107;
+                phi_204_ = _e109;
+            } else {
+                phi_203_ = f32();
+                phi_204_ = true;
+            }
+            let _e111 = phi_203_;
+            let _e113 = phi_204_;
+            if _e113 {
+                phi_208_ = _e89;
+            } else {
+                phi_208_ = _e111;
+            }
+            let _e115 = phi_208_;
+            let _e117 = (param_1 - (2f * _e115));
+            if (_e117 > 1f) {
+                phi_216_ = (2f - _e117);
+            } else {
+                phi_216_ = _e117;
+            }
+            let _e121 = phi_216_;
+            phi_217_ = _e121;
         } else {
-            phi_370_ = _e48;
+            phi_217_ = param_1;
         }
-        let _e51 = phi_370_;
-        phi_409_ = texture_Axis(_e51, _e51, 0f);
+        let _e123 = phi_217_;
+        phi_218_ = _e123;
+    }
+    let _e125 = phi_218_;
+    if (_e125 > 0f) {
+        if (_e125 < 1f) {
+            phi_227_ = _e125;
+        } else {
+            phi_227_ = 1f;
+        }
+        let _e129 = phi_227_;
+        phi_228_ = _e129;
     } else {
-        let _e53 = (_e41 + 0.5f);
-        let _e60 = select(select(u32(_e53), 0u, (_e53 < bitcast<f32>(0u))), 4294967295u, (_e53 > bitcast<f32>(1333788671u)));
-        if (param_11 < _e60) {
-            phi_384_ = param_11;
-        } else {
-            phi_384_ = _e60;
-        }
-        let _e63 = phi_384_;
-        if (param_12 == 0u) {
-            phi_391_ = _e39;
-        } else {
-            phi_391_ = 0u;
-        }
-        let _e68 = phi_391_;
-        if (param_12 == 0u) {
-            phi_396_ = 0u;
-        } else {
-            phi_396_ = _e39;
-        }
-        let _e71 = phi_396_;
-        if (_e63 == 0u) {
-            phi_402_ = _e68;
-        } else {
-            phi_402_ = (_e63 - 1u);
-        }
-        let _e75 = phi_402_;
-        if (_e63 > _e39) {
-            phi_407_ = _e71;
-        } else {
-            phi_407_ = _e63;
-        }
-        let _e78 = phi_407_;
-        phi_409_ = texture_Axis(_e75, _e78, (_e53 - f32(_e63)));
+        phi_228_ = 0f;
     }
-    let _e81 = phi_409_;
-    return _e81;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_14: ptr<function, texture_TextureView>, param_15: f32, param_16: f32) -> texture_TexelQuad {
-    let _e38 = (*param_14).size;
-    let _e39 = (_e38 & 65535u);
-    let _e41 = (*param_14).size;
-    let _e45 = (*param_14).flags;
-    let _e47 = ((_e45 & 4u) != 0u);
-    let _e49 = (*param_14).flags;
-    let _e53 = lt_shaders_texture_axis(param_15, _e39, ((_e49 >> bitcast<u32>(4u)) & 3u), _e47);
-    let _e55 = (*param_14).flags;
-    let _e59 = lt_shaders_texture_axis(param_16, (_e41 >> bitcast<u32>(16i)), ((_e55 >> bitcast<u32>(6u)) & 3u), _e47);
-    let _e63 = (*param_14).offset;
-    let _e70 = (*param_14).offset;
-    let _e77 = (*param_14).offset;
-    let _e84 = (*param_14).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e63 + (_e59.low * _e39)) + _e53.low), ((_e70 + (_e59.low * _e39)) + _e53.high), ((_e77 + (_e59.high * _e39)) + _e53.low), ((_e84 + (_e59.high * _e39)) + _e53.high)), vec4<f32>(((1f - _e53.fraction) * (1f - _e59.fraction)), (_e53.fraction * (1f - _e59.fraction)), ((1f - _e53.fraction) * _e59.fraction), (_e53.fraction * _e59.fraction)));
+    let _e131 = phi_228_;
+    let _e132 = (_e46 - 1u);
+    let _e134 = (_e131 * f32(_e46));
+    if _e54 {
+        let _e141 = select(select(u32(_e134), 0u, (_e134 < bitcast<f32>(0u))), 4294967295u, (_e134 > bitcast<f32>(1333788671u)));
+        if (_e132 < _e141) {
+            phi_246_ = _e132;
+        } else {
+            phi_246_ = _e141;
+        }
+        let _e144 = phi_246_;
+        phi_285_ = texture_Axis(_e144, _e144, 0f);
+    } else {
+        let _e146 = (_e134 + 0.5f);
+        let _e153 = select(select(u32(_e146), 0u, (_e146 < bitcast<f32>(0u))), 4294967295u, (_e146 > bitcast<f32>(1333788671u)));
+        if (_e46 < _e153) {
+            phi_260_ = _e46;
+        } else {
+            phi_260_ = _e153;
+        }
+        let _e156 = phi_260_;
+        if (_e59 == 0u) {
+            phi_267_ = _e132;
+        } else {
+            phi_267_ = 0u;
+        }
+        let _e161 = phi_267_;
+        if (_e59 == 0u) {
+            phi_272_ = 0u;
+        } else {
+            phi_272_ = _e132;
+        }
+        let _e164 = phi_272_;
+        if (_e156 == 0u) {
+            phi_278_ = _e161;
+        } else {
+            phi_278_ = (_e156 - 1u);
+        }
+        let _e168 = phi_278_;
+        if (_e156 > _e132) {
+            phi_283_ = _e164;
+        } else {
+            phi_283_ = _e156;
+        }
+        let _e171 = phi_283_;
+        phi_285_ = texture_Axis(_e168, _e171, (_e146 - f32(_e156)));
+    }
+    let _e174 = phi_285_;
+    let _e176 = (*param).flags;
+    let _e179 = ((_e176 >> bitcast<u32>(6u)) & 3u);
+    if (_e179 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e192 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e192 > param_2) {
+                phi_313_ = 1f;
+            } else {
+                phi_313_ = 0f;
+            }
+            let _e195 = phi_313_;
+            if (param_2 < 8388608f) {
+                phi_318_ = (_e192 - _e195);
+                phi_319_ = false;
+            } else {
+                phi_318_ = f32();
+                phi_319_ = true;
+            }
+            let _e198 = phi_318_;
+            let _e200 = phi_319_;
+            phi_320_ = _e198;
+            phi_321_ = _e200;
+        } else {
+            phi_320_ = f32();
+            phi_321_ = true;
+        }
+        let _e202 = phi_320_;
+        let _e204 = phi_321_;
+        if _e204 {
+            phi_325_ = param_2;
+        } else {
+            phi_325_ = _e202;
+        }
+        let _e206 = phi_325_;
+        phi_373_ = (param_2 - _e206);
+    } else {
+        if (_e179 == 1u) {
+            let _e209 = (param_2 * 0.5f);
+            if (_e209 > -8388608f) {
+                let _e221 = f32(select(0i, select(select(i32(_e209), i32(-2147483648), (_e209 < bitcast<f32>(3472883712u))), 2147483647i, (_e209 > bitcast<f32>(1325400063u))), (_e209 == _e209)));
+                if (_e221 > _e209) {
+                    phi_351_ = 1f;
+                } else {
+                    phi_351_ = 0f;
+                }
+                let _e224 = phi_351_;
+                if (_e209 < 8388608f) {
+                    phi_356_ = (_e221 - _e224);
+                    phi_357_ = false;
+                } else {
+                    phi_356_ = f32();
+                    phi_357_ = true;
+                }
+                let _e227 = phi_356_;
+                let _e229 = phi_357_;
+                phi_358_ = _e227;
+                phi_359_ = _e229;
+            } else {
+                phi_358_ = f32();
+                phi_359_ = true;
+            }
+            let _e231 = phi_358_;
+            let _e233 = phi_359_;
+            if _e233 {
+                phi_363_ = _e209;
+            } else {
+                phi_363_ = _e231;
+            }
+            let _e235 = phi_363_;
+            let _e237 = (param_2 - (2f * _e235));
+            if (_e237 > 1f) {
+                phi_371_ = (2f - _e237);
+            } else {
+                phi_371_ = _e237;
+            }
+            let _e241 = phi_371_;
+            phi_372_ = _e241;
+        } else {
+            phi_372_ = param_2;
+        }
+        let _e243 = phi_372_;
+        phi_373_ = _e243;
+    }
+    let _e245 = phi_373_;
+    if (_e245 > 0f) {
+        if (_e245 < 1f) {
+            phi_382_ = _e245;
+        } else {
+            phi_382_ = 1f;
+        }
+        let _e249 = phi_382_;
+        phi_383_ = _e249;
+    } else {
+        phi_383_ = 0f;
+    }
+    let _e251 = phi_383_;
+    let _e252 = (_e50 - 1u);
+    let _e254 = (_e251 * f32(_e50));
+    if _e54 {
+        let _e261 = select(select(u32(_e254), 0u, (_e254 < bitcast<f32>(0u))), 4294967295u, (_e254 > bitcast<f32>(1333788671u)));
+        if (_e252 < _e261) {
+            phi_401_ = _e252;
+        } else {
+            phi_401_ = _e261;
+        }
+        let _e264 = phi_401_;
+        phi_440_ = texture_Axis(_e264, _e264, 0f);
+    } else {
+        let _e266 = (_e254 + 0.5f);
+        let _e273 = select(select(u32(_e266), 0u, (_e266 < bitcast<f32>(0u))), 4294967295u, (_e266 > bitcast<f32>(1333788671u)));
+        if (_e50 < _e273) {
+            phi_415_ = _e50;
+        } else {
+            phi_415_ = _e273;
+        }
+        let _e276 = phi_415_;
+        if (_e179 == 0u) {
+            phi_422_ = _e252;
+        } else {
+            phi_422_ = 0u;
+        }
+        let _e281 = phi_422_;
+        if (_e179 == 0u) {
+            phi_427_ = 0u;
+        } else {
+            phi_427_ = _e252;
+        }
+        let _e284 = phi_427_;
+        if (_e276 == 0u) {
+            phi_433_ = _e281;
+        } else {
+            phi_433_ = (_e276 - 1u);
+        }
+        let _e288 = phi_433_;
+        if (_e276 > _e252) {
+            phi_438_ = _e284;
+        } else {
+            phi_438_ = _e276;
+        }
+        let _e291 = phi_438_;
+        phi_440_ = texture_Axis(_e288, _e291, (_e266 - f32(_e276)));
+    }
+    let _e294 = phi_440_;
+    let _e298 = (*param).offset;
+    let _e305 = (*param).offset;
+    let _e312 = (*param).offset;
+    let _e319 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e298 + (_e294.low * _e46)) + _e174.low), ((_e305 + (_e294.low * _e46)) + _e174.high), ((_e312 + (_e294.high * _e46)) + _e174.low), ((_e319 + (_e294.high * _e46)) + _e174.high)), vec4<f32>(((1f - _e174.fraction) * (1f - _e294.fraction)), (_e174.fraction * (1f - _e294.fraction)), ((1f - _e174.fraction) * _e294.fraction), (_e174.fraction * _e294.fraction)));
 }
 
 fn spirv_std_arch_kill() {
@@ -283,178 +464,182 @@ fn spirv_std_arch_kill() {
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<vec3<f32>, 3>;
-    var local_2: array<abi_Vertex, 3>;
-    var phi_491_: vec3<f32>;
-    var phi_492_: vec3<f32>;
-    var phi_589_: vec3<f32>;
-    var phi_590_: vec3<f32>;
-    var phi_687_: vec3<f32>;
-    var phi_688_: vec3<f32>;
-    var phi_951_: f32;
-    var phi_955_: bool;
-    var phi_956_: bool;
+    var phi_532_: vec3<f32>;
+    var phi_533_: vec3<f32>;
+    var phi_618_: vec3<f32>;
+    var phi_619_: vec3<f32>;
+    var phi_704_: vec3<f32>;
+    var phi_705_: vec3<f32>;
+    var phi_804_: vec3<f32>;
+    var phi_992_: f32;
+    var phi_996_: bool;
+    var phi_997_: bool;
 
-    let _e37 = at_1;
-    let _e38 = triangle_1;
-    let _e39 = placed_1;
-    let _e49 = arrayLength((&vertices.member));
-    let _e55 = arrayLength((&alpha_texels.member));
-    if (_e38 < arrayLength((&triangles.member))) {
+    let _e42 = at_1;
+    let _e43 = triangle_1;
+    let _e44 = placed_1;
+    let _e54 = arrayLength((&vertices.member));
+    let _e60 = arrayLength((&alpha_texels.member));
+    if (_e43 < arrayLength((&triangles.member))) {
     } else {
         return;
     }
-    let _e59 = triangles.member[(0u + _e38)];
-    if (_e39 < arrayLength((&instances.member))) {
+    let _e64 = triangles.member[(0u + _e43)];
+    if (_e44 < arrayLength((&instances.member))) {
     } else {
         return;
     }
-    let _e63 = instances.member[(0u + _e39)];
+    let _e68 = instances.member[(0u + _e44)];
     if (0u == 0u) {
-        phi_492_ = _e59.v0_;
+        phi_533_ = _e64.v0_;
     } else {
         if (0u == 1u) {
-            phi_491_ = _e59.v1_;
+            phi_532_ = _e64.v1_;
         } else {
-            phi_491_ = _e59.v2_;
+            phi_532_ = _e64.v2_;
         }
-        let _e72 = phi_491_;
-        phi_492_ = _e72;
+        let _e77 = phi_532_;
+        phi_533_ = _e77;
     }
-    let _e74 = phi_492_;
-    let _e90 = ((((_e63.object_to_world[0].x * _e74.x) + (_e63.object_to_world[0].y * _e74.y)) + (_e63.object_to_world[0].z * _e74.z)) + (_e63.object_to_world[0].w * 1f));
-    let _e103 = ((((_e63.object_to_world[1].x * _e74.x) + (_e63.object_to_world[1].y * _e74.y)) + (_e63.object_to_world[1].z * _e74.z)) + (_e63.object_to_world[1].w * 1f));
-    let _e116 = ((((_e63.object_to_world[2].x * _e74.x) + (_e63.object_to_world[2].y * _e74.y)) + (_e63.object_to_world[2].z * _e74.z)) + (_e63.object_to_world[2].w * 1f));
-    let _e118 = p.member.map_size;
-    let _e120 = f32(_e118);
-    let _e122 = p.member.projection.row_x;
-    let _e136 = p.member.projection.row_y;
-    let _e150 = p.member.projection.row_z;
+    let _e79 = phi_533_;
+    let _e95 = ((((_e68.object_to_world[0].x * _e79.x) + (_e68.object_to_world[0].y * _e79.y)) + (_e68.object_to_world[0].z * _e79.z)) + (_e68.object_to_world[0].w * 1f));
+    let _e108 = ((((_e68.object_to_world[1].x * _e79.x) + (_e68.object_to_world[1].y * _e79.y)) + (_e68.object_to_world[1].z * _e79.z)) + (_e68.object_to_world[1].w * 1f));
+    let _e121 = ((((_e68.object_to_world[2].x * _e79.x) + (_e68.object_to_world[2].y * _e79.y)) + (_e68.object_to_world[2].z * _e79.z)) + (_e68.object_to_world[2].w * 1f));
+    let _e123 = p.member.map_size;
+    let _e125 = f32(_e123);
+    let _e127 = p.member.projection.row_x;
+    let _e141 = p.member.projection.row_y;
     if (1u == 0u) {
-        phi_590_ = _e59.v0_;
+        phi_619_ = _e64.v0_;
     } else {
         if (1u == 1u) {
-            phi_589_ = _e59.v1_;
+            phi_618_ = _e64.v1_;
         } else {
-            phi_589_ = _e59.v2_;
+            phi_618_ = _e64.v2_;
         }
-        let _e169 = phi_589_;
-        phi_590_ = _e169;
+        let _e162 = phi_618_;
+        phi_619_ = _e162;
     }
-    let _e171 = phi_590_;
-    let _e187 = ((((_e63.object_to_world[0].x * _e171.x) + (_e63.object_to_world[0].y * _e171.y)) + (_e63.object_to_world[0].z * _e171.z)) + (_e63.object_to_world[0].w * 1f));
-    let _e200 = ((((_e63.object_to_world[1].x * _e171.x) + (_e63.object_to_world[1].y * _e171.y)) + (_e63.object_to_world[1].z * _e171.z)) + (_e63.object_to_world[1].w * 1f));
-    let _e213 = ((((_e63.object_to_world[2].x * _e171.x) + (_e63.object_to_world[2].y * _e171.y)) + (_e63.object_to_world[2].z * _e171.z)) + (_e63.object_to_world[2].w * 1f));
-    let _e215 = p.member.map_size;
-    let _e217 = f32(_e215);
-    let _e219 = p.member.projection.row_x;
-    let _e233 = p.member.projection.row_y;
-    let _e247 = p.member.projection.row_z;
+    let _e164 = phi_619_;
+    let _e180 = ((((_e68.object_to_world[0].x * _e164.x) + (_e68.object_to_world[0].y * _e164.y)) + (_e68.object_to_world[0].z * _e164.z)) + (_e68.object_to_world[0].w * 1f));
+    let _e193 = ((((_e68.object_to_world[1].x * _e164.x) + (_e68.object_to_world[1].y * _e164.y)) + (_e68.object_to_world[1].z * _e164.z)) + (_e68.object_to_world[1].w * 1f));
+    let _e206 = ((((_e68.object_to_world[2].x * _e164.x) + (_e68.object_to_world[2].y * _e164.y)) + (_e68.object_to_world[2].z * _e164.z)) + (_e68.object_to_world[2].w * 1f));
+    let _e208 = p.member.map_size;
+    let _e210 = f32(_e208);
+    let _e212 = p.member.projection.row_x;
+    let _e226 = p.member.projection.row_y;
     if (2u == 0u) {
-        phi_688_ = _e59.v0_;
+        phi_705_ = _e64.v0_;
     } else {
         if (2u == 1u) {
-            phi_687_ = _e59.v1_;
+            phi_704_ = _e64.v1_;
         } else {
-            phi_687_ = _e59.v2_;
+            phi_704_ = _e64.v2_;
         }
-        let _e266 = phi_687_;
-        phi_688_ = _e266;
+        let _e247 = phi_704_;
+        phi_705_ = _e247;
     }
-    let _e268 = phi_688_;
-    let _e284 = ((((_e63.object_to_world[0].x * _e268.x) + (_e63.object_to_world[0].y * _e268.y)) + (_e63.object_to_world[0].z * _e268.z)) + (_e63.object_to_world[0].w * 1f));
-    let _e297 = ((((_e63.object_to_world[1].x * _e268.x) + (_e63.object_to_world[1].y * _e268.y)) + (_e63.object_to_world[1].z * _e268.z)) + (_e63.object_to_world[1].w * 1f));
-    let _e310 = ((((_e63.object_to_world[2].x * _e268.x) + (_e63.object_to_world[2].y * _e268.y)) + (_e63.object_to_world[2].z * _e268.z)) + (_e63.object_to_world[2].w * 1f));
-    let _e312 = p.member.map_size;
-    let _e314 = f32(_e312);
-    let _e316 = p.member.projection.row_x;
-    let _e330 = p.member.projection.row_y;
-    let _e344 = p.member.projection.row_z;
-    local_1[0u] = vec3<f32>((((((_e122.x * _e90) + (_e122.y * _e103)) + (_e122.z * _e116)) + (_e122.w * 1f)) * _e120), (((((_e136.x * _e90) + (_e136.y * _e103)) + (_e136.z * _e116)) + (_e136.w * 1f)) * _e120), ((((_e150.x * _e90) + (_e150.y * _e103)) + (_e150.z * _e116)) + (_e150.w * 1f)));
-    local_1[1u] = vec3<f32>((((((_e219.x * _e187) + (_e219.y * _e200)) + (_e219.z * _e213)) + (_e219.w * 1f)) * _e217), (((((_e233.x * _e187) + (_e233.y * _e200)) + (_e233.z * _e213)) + (_e233.w * 1f)) * _e217), ((((_e247.x * _e187) + (_e247.y * _e200)) + (_e247.z * _e213)) + (_e247.w * 1f)));
-    local_1[2u] = vec3<f32>((((((_e316.x * _e284) + (_e316.y * _e297)) + (_e316.z * _e310)) + (_e316.w * 1f)) * _e314), (((((_e330.x * _e284) + (_e330.y * _e297)) + (_e330.z * _e310)) + (_e330.w * 1f)) * _e314), ((((_e344.x * _e284) + (_e344.y * _e297)) + (_e344.z * _e310)) + (_e344.w * 1f)));
-    let _e360 = lt_shaders_depth_weights_at(_e37.x, _e37.y, (&local_1));
-    let _e362 = (_e59.i0_ & 2147483647u);
-    if (_e362 < _e49) {
+    let _e249 = phi_705_;
+    let _e265 = ((((_e68.object_to_world[0].x * _e249.x) + (_e68.object_to_world[0].y * _e249.y)) + (_e68.object_to_world[0].z * _e249.z)) + (_e68.object_to_world[0].w * 1f));
+    let _e278 = ((((_e68.object_to_world[1].x * _e249.x) + (_e68.object_to_world[1].y * _e249.y)) + (_e68.object_to_world[1].z * _e249.z)) + (_e68.object_to_world[1].w * 1f));
+    let _e291 = ((((_e68.object_to_world[2].x * _e249.x) + (_e68.object_to_world[2].y * _e249.y)) + (_e68.object_to_world[2].z * _e249.z)) + (_e68.object_to_world[2].w * 1f));
+    let _e293 = p.member.map_size;
+    let _e295 = f32(_e293);
+    let _e297 = p.member.projection.row_x;
+    let _e311 = p.member.projection.row_y;
+    let _e326 = ((((((_e127.x * _e95) + (_e127.y * _e108)) + (_e127.z * _e121)) + (_e127.w * 1f)) * _e125) - _e42.x);
+    let _e327 = ((((((_e141.x * _e95) + (_e141.y * _e108)) + (_e141.z * _e121)) + (_e141.w * 1f)) * _e125) - _e42.y);
+    let _e328 = ((((((_e212.x * _e180) + (_e212.y * _e193)) + (_e212.z * _e206)) + (_e212.w * 1f)) * _e210) - _e42.x);
+    let _e329 = ((((((_e226.x * _e180) + (_e226.y * _e193)) + (_e226.z * _e206)) + (_e226.w * 1f)) * _e210) - _e42.y);
+    let _e330 = ((((((_e297.x * _e265) + (_e297.y * _e278)) + (_e297.z * _e291)) + (_e297.w * 1f)) * _e295) - _e42.x);
+    let _e331 = ((((((_e311.x * _e265) + (_e311.y * _e278)) + (_e311.z * _e291)) + (_e311.w * 1f)) * _e295) - _e42.y);
+    let _e334 = ((_e330 * _e329) - (_e331 * _e328));
+    let _e337 = ((_e326 * _e331) - (_e327 * _e330));
+    let _e340 = ((_e328 * _e327) - (_e329 * _e326));
+    let _e342 = ((_e334 + _e337) + _e340);
+    if (_e342 == 0f) {
+        phi_804_ = vec3<f32>(1f, 0f, 0f);
+    } else {
+        phi_804_ = vec3<f32>((_e334 / _e342), (_e337 / _e342), (_e340 / _e342));
+    }
+    let _e349 = phi_804_;
+    let _e351 = (_e64.i0_ & 2147483647u);
+    if (_e351 < _e54) {
     } else {
         return;
     }
-    let _e368 = vertices.member[(0u + _e362)];
-    if (_e59.i1_ < _e49) {
+    let _e357 = vertices.member[(0u + _e351)];
+    if (_e64.i1_ < _e54) {
     } else {
         return;
     }
-    let _e372 = vertices.member[(0u + _e59.i1_)];
-    if (_e59.i2_ < _e49) {
+    let _e361 = vertices.member[(0u + _e64.i1_)];
+    if (_e64.i2_ < _e54) {
     } else {
         return;
     }
-    let _e376 = vertices.member[(0u + _e59.i2_)];
-    let _e377 = array<abi_Vertex, 3>(_e368, _e372, _e376);
-    local_2 = array<abi_Vertex, 3>(abi_Vertex(_e377[0].u, _e377[0].v, _e377[0].normal, _e377[0].color, _e377[0].material), abi_Vertex(_e377[1].u, _e377[1].v, _e377[1].normal, _e377[1].color, _e377[1].material), abi_Vertex(_e377[2].u, _e377[2].v, _e377[2].normal, _e377[2].color, _e377[2].material));
-    let _e402 = local_2[0u].material;
-    if (_e402 < arrayLength((&materials.member))) {
+    let _e365 = vertices.member[(0u + _e64.i2_)];
+    let _e366 = array<abi_Vertex, 3>(_e357, _e361, _e365);
+    if (_e366[0].material < arrayLength((&materials.member))) {
     } else {
         return;
     }
-    let _e407 = materials.member[(0u + _e402)].flags;
-    if ((_e407 & 1u) == 0u) {
-        phi_956_ = false;
+    let _e373 = materials.member[(0u + _e366[0].material)].flags;
+    if ((_e373 & 1u) == 0u) {
+        phi_997_ = false;
     } else {
-        let _e411 = materials.member[(0u + _e402)].cutoff;
-        if (_e411 <= 0f) {
-            phi_955_ = true;
+        let _e377 = materials.member[(0u + _e366[0].material)].cutoff;
+        if (_e377 <= 0f) {
+            phi_996_ = true;
         } else {
-            let _e415 = materials.member[(0u + _e402)].base_color[3u];
-            let _e416 = lt_shaders_surface_vertex_color((&local_2), _e360);
-            let _e418 = (_e415 * _e416.w);
-            let _e420 = materials.member[(0u + _e402)].alpha_size;
-            if (_e420 == 0u) {
-                phi_951_ = _e418;
+            let _e381 = materials.member[(0u + _e366[0].material)].base_color[3u];
+            let _e411 = (_e381 * ((((f32((_e366[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e349.x) + ((f32((_e366[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e349.y)) + ((f32((_e366[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e349.z)));
+            let _e413 = materials.member[(0u + _e366[0].material)].alpha_size;
+            if (_e413 == 0u) {
+                phi_992_ = _e411;
             } else {
-                let _e423 = materials.member[(0u + _e402)].alpha_offset;
-                let _e425 = materials.member[(0u + _e402)].alpha_size;
-                let _e427 = materials.member[(0u + _e402)].flags;
-                local.offset = _e423;
-                local.size = _e425;
-                local.flags = _e427;
-                let _e431 = lt_shaders_surface_texture_coordinate((&local_2), _e360);
-                let _e434 = _lt_shaders_texture_TextureView_quad((&local), _e431.x, _e431.y);
-                let _e438 = (_e434.indices[0] >> bitcast<u32>(2i));
-                if (_e438 < _e55) {
+                let _e416 = materials.member[(0u + _e366[0].material)].alpha_offset;
+                let _e418 = materials.member[(0u + _e366[0].material)].alpha_size;
+                let _e420 = materials.member[(0u + _e366[0].material)].flags;
+                local.offset = _e416;
+                local.size = _e418;
+                local.flags = _e420;
+                let _e449 = _lt_shaders_texture_TextureView_quad((&local), (((_e366[0].u * _e349.x) + (_e366[1].u * _e349.y)) + (_e366[2].u * _e349.z)), (((_e366[0].v * _e349.x) + (_e366[1].v * _e349.y)) + (_e366[2].v * _e349.z)));
+                let _e453 = (_e449.indices[0] >> bitcast<u32>(2i));
+                if (_e453 < _e60) {
                 } else {
                     return;
                 }
-                let _e442 = alpha_texels.member[(0u + _e438)];
-                let _e458 = (_e434.indices[1] >> bitcast<u32>(2i));
-                if (_e458 < _e55) {
+                let _e457 = alpha_texels.member[(0u + _e453)];
+                let _e473 = (_e449.indices[1] >> bitcast<u32>(2i));
+                if (_e473 < _e60) {
                 } else {
                     return;
                 }
-                let _e462 = alpha_texels.member[(0u + _e458)];
-                let _e479 = (_e434.indices[2] >> bitcast<u32>(2i));
-                if (_e479 < _e55) {
+                let _e477 = alpha_texels.member[(0u + _e473)];
+                let _e494 = (_e449.indices[2] >> bitcast<u32>(2i));
+                if (_e494 < _e60) {
                 } else {
                     return;
                 }
-                let _e483 = alpha_texels.member[(0u + _e479)];
-                let _e500 = (_e434.indices[3] >> bitcast<u32>(2i));
-                if (_e500 < _e55) {
+                let _e498 = alpha_texels.member[(0u + _e494)];
+                let _e515 = (_e449.indices[3] >> bitcast<u32>(2i));
+                if (_e515 < _e60) {
                 } else {
                     return;
                 }
-                let _e504 = alpha_texels.member[(0u + _e500)];
-                phi_951_ = (_e418 * (((((f32(((_e442 >> bitcast<u32>((((_e434.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e434.weights.x) + ((f32(((_e462 >> bitcast<u32>((((_e434.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e434.weights.y)) + ((f32(((_e483 >> bitcast<u32>((((_e434.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e434.weights.z)) + ((f32(((_e504 >> bitcast<u32>((((_e434.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e434.weights.w)));
+                let _e519 = alpha_texels.member[(0u + _e515)];
+                phi_992_ = (_e411 * (((((f32(((_e457 >> bitcast<u32>((((_e449.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e449.weights.x) + ((f32(((_e477 >> bitcast<u32>((((_e449.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e449.weights.y)) + ((f32(((_e498 >> bitcast<u32>((((_e449.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e449.weights.z)) + ((f32(((_e519 >> bitcast<u32>((((_e449.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e449.weights.w)));
             }
-            let _e520 = phi_951_;
-            let _e522 = materials.member[(0u + _e402)].cutoff;
-            phi_955_ = (_e520 >= _e522);
+            let _e535 = phi_992_;
+            let _e537 = materials.member[(0u + _e366[0].material)].cutoff;
+            phi_996_ = (_e535 >= _e537);
         }
-        let _e525 = phi_955_;
-        phi_956_ = _e525;
+        let _e540 = phi_996_;
+        phi_997_ = _e540;
     }
-    let _e527 = phi_956_;
-    if _e527 {
+    let _e542 = phi_997_;
+    if _e542 {
     } else {
         spirv_std_arch_kill();
     }

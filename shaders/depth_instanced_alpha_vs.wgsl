@@ -13,7 +13,7 @@ struct abi_DepthParams {
     pad2_: u32,
 }
 
-struct type_6 {
+struct type_5 {
     member: abi_DepthParams,
 }
 
@@ -52,7 +52,7 @@ struct VertexOutput {
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_6;
+var<uniform> p: type_5;
 @group(0) @binding(1) 
 var<storage> triangles: type_10;
 var<private> vertex_1: u32;
@@ -64,8 +64,8 @@ var<storage> instances: type_21;
 var<private> placed: u32;
 
 fn function_() {
-    var phi_93_: vec3<f32>;
     var phi_94_: vec3<f32>;
+    var phi_95_: vec3<f32>;
 
     let _e15 = vertex_1;
     let _e16 = instance_1;
@@ -83,19 +83,19 @@ fn function_() {
     }
     if (_e29 == 0u) {
         let _e35 = triangles.member[(0u + _e25)].v0_;
-        phi_94_ = _e35;
+        phi_95_ = _e35;
     } else {
         if (_e29 == 1u) {
             let _e38 = triangles.member[(0u + _e25)].v1_;
-            phi_93_ = _e38;
+            phi_94_ = _e38;
         } else {
             let _e40 = triangles.member[(0u + _e25)].v2_;
-            phi_93_ = _e40;
+            phi_94_ = _e40;
         }
-        let _e42 = phi_93_;
-        phi_94_ = _e42;
+        let _e42 = phi_94_;
+        phi_95_ = _e42;
     }
-    let _e44 = phi_94_;
+    let _e44 = phi_95_;
     let _e50 = instances.member[(0u + _e16)].object_to_world[0u];
     let _e61 = ((((_e50.x * _e44.x) + (_e50.y * _e44.y)) + (_e50.z * _e44.z)) + (_e50.w * 1f));
     let _e63 = instances.member[(0u + _e16)].object_to_world[1u];
@@ -107,7 +107,7 @@ fn function_() {
     let _e103 = p.member.projection.row_x;
     let _e116 = p.member.projection.row_y;
     let _e133 = p.member.projection.row_z;
-    position = vec4<f32>(((2f * ((((_e103.x * _e61) + (_e103.y * _e74)) + (_e103.z * _e87)) + (_e103.w * 1f))) - _e101), ((2f * ((((_e116.x * _e61) + (_e116.y * _e74)) + (_e116.z * _e87)) + (_e116.w * 1f))) - _e101), (((((_e133.x * _e61) + (_e133.y * _e74)) + (_e133.z * _e87)) + (_e133.w * 1f)) * _e101), _e101);
+    position = vec4<f32>(((2f * ((((_e103.x * _e61) + (_e103.y * _e74)) + (_e103.z * _e87)) + (_e103.w * 1f))) - _e101), (_e101 - (2f * ((((_e116.x * _e61) + (_e116.y * _e74)) + (_e116.z * _e87)) + (_e116.w * 1f)))), (((((_e133.x * _e61) + (_e133.y * _e74)) + (_e133.z * _e87)) + (_e133.w * 1f)) * _e101), _e101);
     return;
 }
 

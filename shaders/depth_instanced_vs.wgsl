@@ -13,7 +13,7 @@ struct abi_DepthParams {
     pad2_: u32,
 }
 
-struct type_6 {
+struct type_5 {
     member: abi_DepthParams,
 }
 
@@ -46,7 +46,7 @@ struct type_21 {
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_6;
+var<uniform> p: type_5;
 @group(0) @binding(1) 
 var<storage> triangles: type_10;
 var<private> vertex_1: u32;
@@ -56,8 +56,8 @@ var<private> instance_1: u32;
 var<storage> instances: type_21;
 
 fn function_() {
-    var phi_89_: vec3<f32>;
     var phi_90_: vec3<f32>;
+    var phi_91_: vec3<f32>;
 
     let _e13 = vertex_1;
     let _e14 = instance_1;
@@ -73,19 +73,19 @@ fn function_() {
     }
     if (_e26 == 0u) {
         let _e32 = triangles.member[(0u + _e22)].v0_;
-        phi_90_ = _e32;
+        phi_91_ = _e32;
     } else {
         if (_e26 == 1u) {
             let _e35 = triangles.member[(0u + _e22)].v1_;
-            phi_89_ = _e35;
+            phi_90_ = _e35;
         } else {
             let _e37 = triangles.member[(0u + _e22)].v2_;
-            phi_89_ = _e37;
+            phi_90_ = _e37;
         }
-        let _e39 = phi_89_;
-        phi_90_ = _e39;
+        let _e39 = phi_90_;
+        phi_91_ = _e39;
     }
-    let _e41 = phi_90_;
+    let _e41 = phi_91_;
     let _e47 = instances.member[(0u + _e14)].object_to_world[0u];
     let _e58 = ((((_e47.x * _e41.x) + (_e47.y * _e41.y)) + (_e47.z * _e41.z)) + (_e47.w * 1f));
     let _e60 = instances.member[(0u + _e14)].object_to_world[1u];
@@ -97,7 +97,7 @@ fn function_() {
     let _e100 = p.member.projection.row_x;
     let _e113 = p.member.projection.row_y;
     let _e130 = p.member.projection.row_z;
-    position = vec4<f32>(((2f * ((((_e100.x * _e58) + (_e100.y * _e71)) + (_e100.z * _e84)) + (_e100.w * 1f))) - _e98), ((2f * ((((_e113.x * _e58) + (_e113.y * _e71)) + (_e113.z * _e84)) + (_e113.w * 1f))) - _e98), (((((_e130.x * _e58) + (_e130.y * _e71)) + (_e130.z * _e84)) + (_e130.w * 1f)) * _e98), _e98);
+    position = vec4<f32>(((2f * ((((_e100.x * _e58) + (_e100.y * _e71)) + (_e100.z * _e84)) + (_e100.w * 1f))) - _e98), (_e98 - (2f * ((((_e113.x * _e58) + (_e113.y * _e71)) + (_e113.z * _e84)) + (_e113.w * 1f)))), (((((_e130.x * _e58) + (_e130.y * _e71)) + (_e130.z * _e84)) + (_e130.w * 1f)) * _e98), _e98);
     return;
 }
 

@@ -13,7 +13,7 @@ struct abi_DepthParams {
     pad2_: u32,
 }
 
-struct type_6 {
+struct type_5 {
     member: abi_DepthParams,
 }
 
@@ -31,15 +31,15 @@ struct type_10 {
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_6;
+var<uniform> p: type_5;
 @group(0) @binding(1) 
 var<storage> triangles: type_10;
 var<private> vertex_1: u32;
 var<private> position: vec4<f32> = vec4<f32>(0f, 0f, 0f, 1f);
 
 fn function_() {
-    var phi_67_: vec3<f32>;
     var phi_68_: vec3<f32>;
+    var phi_69_: vec3<f32>;
 
     let _e11 = vertex_1;
     let _e16 = (_e11 / 3u);
@@ -50,25 +50,25 @@ fn function_() {
     let _e20 = (_e11 % 3u);
     if (_e20 == 0u) {
         let _e23 = triangles.member[(0u + _e16)].v0_;
-        phi_68_ = _e23;
+        phi_69_ = _e23;
     } else {
         if (_e20 == 1u) {
             let _e26 = triangles.member[(0u + _e16)].v1_;
-            phi_67_ = _e26;
+            phi_68_ = _e26;
         } else {
             let _e28 = triangles.member[(0u + _e16)].v2_;
-            phi_67_ = _e28;
+            phi_68_ = _e28;
         }
-        let _e30 = phi_67_;
-        phi_68_ = _e30;
+        let _e30 = phi_68_;
+        phi_69_ = _e30;
     }
-    let _e32 = phi_68_;
+    let _e32 = phi_69_;
     let _e38 = p.member.projection.row_w;
     let _e49 = ((((_e38.x * _e32.x) + (_e38.y * _e32.y)) + (_e38.z * _e32.z)) + (_e38.w * 1f));
     let _e51 = p.member.projection.row_x;
     let _e64 = p.member.projection.row_y;
     let _e81 = p.member.projection.row_z;
-    position = vec4<f32>(((2f * ((((_e51.x * _e32.x) + (_e51.y * _e32.y)) + (_e51.z * _e32.z)) + (_e51.w * 1f))) - _e49), ((2f * ((((_e64.x * _e32.x) + (_e64.y * _e32.y)) + (_e64.z * _e32.z)) + (_e64.w * 1f))) - _e49), (((((_e81.x * _e32.x) + (_e81.y * _e32.y)) + (_e81.z * _e32.z)) + (_e81.w * 1f)) * _e49), _e49);
+    position = vec4<f32>(((2f * ((((_e51.x * _e32.x) + (_e51.y * _e32.y)) + (_e51.z * _e32.z)) + (_e51.w * 1f))) - _e49), (_e49 - (2f * ((((_e64.x * _e32.x) + (_e64.y * _e32.y)) + (_e64.z * _e32.z)) + (_e64.w * 1f)))), (((((_e81.x * _e32.x) + (_e81.y * _e32.y)) + (_e81.z * _e32.z)) + (_e81.w * 1f)) * _e49), _e49);
     return;
 }
 

@@ -14,11 +14,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_19 {
+struct type_17 {
     member: array<abi_Sample>,
 }
 
-struct type_23 {
+struct type_21 {
     member: array<f32>,
 }
 
@@ -40,7 +40,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_30 {
+struct type_29 {
     member: abi_ShadowParams,
 }
 
@@ -56,47 +56,47 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_19;
+var<storage> samples: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_30;
+var<uniform> p: type_29;
 @group(0) @binding(2) 
-var<storage> map: type_23;
+var<storage> map: type_21;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_23;
+var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_138_: lt_bvh_traverse_Tree;
-    var phi_139_: bool;
-    var phi_140_: lt_bvh_traverse_Tree;
-    var phi_141_: bool;
-    var phi_146_: lt_bvh_traverse_Tree;
+    var phi_134_: lt_bvh_traverse_Tree;
+    var phi_135_: bool;
+    var phi_136_: lt_bvh_traverse_Tree;
+    var phi_137_: bool;
+    var phi_142_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_138_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_139_ = false;
+            phi_134_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_135_ = false;
         } else {
-            phi_138_ = lt_bvh_traverse_Tree();
-            phi_139_ = true;
+            phi_134_ = lt_bvh_traverse_Tree();
+            phi_135_ = true;
         }
-        let _e55 = phi_138_;
-        let _e57 = phi_139_;
-        phi_140_ = _e55;
-        phi_141_ = _e57;
+        let _e58 = phi_134_;
+        let _e60 = phi_135_;
+        phi_136_ = _e58;
+        phi_137_ = _e60;
     } else {
-        phi_140_ = lt_bvh_traverse_Tree();
-        phi_141_ = true;
+        phi_136_ = lt_bvh_traverse_Tree();
+        phi_137_ = true;
     }
-    let _e59 = phi_140_;
-    let _e61 = phi_141_;
-    if _e61 {
-        phi_146_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e62 = phi_136_;
+    let _e64 = phi_137_;
+    if _e64 {
+        phi_142_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_146_ = _e59;
+        phi_142_ = _e62;
     }
-    let _e66 = phi_146_;
-    return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
+    let _e69 = phi_142_;
+    return lt_bvh_traverse_Tree(_e69.root, _e69.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -104,703 +104,770 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_172_: bool;
-    var phi_176_: f32;
-    var phi_177_: f32;
+    var phi_168_: bool;
+    var phi_172_: f32;
+    var phi_173_: f32;
 
-    let _e43 = (*param_4);
-    if ((bitcast<u32>(_e43) & 2147483647u) > 2139095040u) {
-        phi_177_ = _e43;
+    let _e46 = (*param_4);
+    if ((bitcast<u32>(_e46) & 2147483647u) > 2139095040u) {
+        phi_173_ = _e46;
     } else {
         if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-            phi_172_ = true;
+            phi_168_ = true;
         } else {
-            let _e50 = (84f < _e43);
-            if _e50 {
+            let _e53 = (84f < _e46);
+            if _e53 {
             }
-            phi_172_ = _e50;
+            phi_168_ = _e53;
         }
-        let _e52 = phi_172_;
-        if _e52 {
-            phi_176_ = 84f;
+        let _e55 = phi_168_;
+        if _e55 {
+            phi_172_ = 84f;
         } else {
-            phi_176_ = _e43;
+            phi_172_ = _e46;
         }
-        let _e54 = phi_176_;
-        phi_177_ = _e54;
+        let _e57 = phi_172_;
+        phi_173_ = _e57;
     }
-    let _e56 = phi_177_;
-    return _e56;
+    let _e59 = phi_173_;
+    return _e59;
 }
 
-fn lt_shaders_evaluate_to_light(param_5: vec3<f32>, param_6: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_6.x - (param_5.x * param_6.w)), (param_6.y - (param_5.y * param_6.w)), (param_6.z - (param_5.z * param_6.w)));
-}
-
-fn lt_shaders_evaluate_quad_indices(param_7: i32, param_8: i32, param_9: u32) -> array<u32, 4> {
-    var phi_205_: i32;
-    var phi_210_: i32;
-    var phi_215_: i32;
-    var phi_220_: i32;
-    var phi_229_: i32;
-    var phi_234_: i32;
-    var phi_239_: i32;
-    var phi_244_: i32;
-
-    let _e46 = (bitcast<i32>(param_9) - 1i);
-    if (param_7 > 0i) {
-        phi_205_ = param_7;
-    } else {
-        phi_205_ = 0i;
-    }
-    let _e49 = phi_205_;
-    if (param_8 > 0i) {
-        phi_210_ = param_8;
-    } else {
-        phi_210_ = 0i;
-    }
-    let _e52 = phi_210_;
-    if (_e49 < _e46) {
-        phi_215_ = _e49;
-    } else {
-        phi_215_ = _e46;
-    }
-    let _e55 = phi_215_;
-    if (_e52 < _e46) {
-        phi_220_ = _e52;
-    } else {
-        phi_220_ = _e46;
-    }
-    let _e58 = phi_220_;
-    let _e59 = bitcast<u32>(_e55);
-    let _e61 = (param_7 + 1i);
-    let _e62 = (param_8 + 1i);
-    if (_e61 > 0i) {
-        phi_229_ = _e61;
-    } else {
-        phi_229_ = 0i;
-    }
-    let _e65 = phi_229_;
-    if (_e62 > 0i) {
-        phi_234_ = _e62;
-    } else {
-        phi_234_ = 0i;
-    }
-    let _e68 = phi_234_;
-    if (_e65 < _e46) {
-        phi_239_ = _e65;
-    } else {
-        phi_239_ = _e46;
-    }
-    let _e71 = phi_239_;
-    if (_e68 < _e46) {
-        phi_244_ = _e68;
-    } else {
-        phi_244_ = _e46;
-    }
-    let _e74 = phi_244_;
-    let _e75 = bitcast<u32>(_e71);
-    let _e77 = (bitcast<u32>(_e58) * param_9);
-    let _e78 = (bitcast<u32>(_e74) * param_9);
-    return array<u32, 4>((_e77 + _e59), (_e77 + _e75), (_e78 + _e59), (_e78 + _e75));
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_10: ptr<function, f32>, param_11: vec4<f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
-    var phi_593_: f32;
-    var phi_594_: f32;
-    var phi_595_: f32;
-    var phi_611_: f32;
-    var phi_612_: f32;
-    var phi_613_: f32;
-    var phi_638_: bool;
-    var phi_642_: f32;
-    var phi_643_: f32;
-    var phi_660_: bool;
-    var phi_664_: f32;
-    var phi_665_: f32;
-    var phi_706_: f32;
-    var phi_722_: f32;
-    var phi_723_: f32;
-    var phi_724_: f32;
-    var phi_749_: bool;
-    var phi_753_: f32;
-    var phi_754_: f32;
-    var phi_771_: bool;
-    var phi_775_: f32;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
+    var phi_630_: f32;
+    var phi_631_: f32;
+    var phi_632_: f32;
+    var phi_648_: f32;
+    var phi_649_: f32;
+    var phi_650_: f32;
+    var phi_663_: f32;
+    var phi_668_: f32;
+    var phi_690_: f32;
+    var phi_695_: f32;
+    var phi_696_: bool;
+    var phi_697_: f32;
+    var phi_698_: bool;
+    var phi_702_: f32;
+    var phi_740_: f32;
+    var phi_756_: f32;
+    var phi_757_: f32;
+    var phi_758_: f32;
+    var phi_771_: f32;
     var phi_776_: f32;
-    var phi_817_: f32;
-    var phi_833_: f32;
-    var phi_834_: f32;
-    var phi_835_: f32;
-    var phi_860_: bool;
+    var phi_798_: f32;
+    var phi_803_: f32;
+    var phi_804_: bool;
+    var phi_805_: f32;
+    var phi_806_: bool;
+    var phi_810_: f32;
+    var phi_848_: f32;
     var phi_864_: f32;
     var phi_865_: f32;
-    var phi_882_: bool;
-    var phi_886_: f32;
-    var phi_887_: f32;
-    var phi_928_: f32;
-    var phi_944_: f32;
-    var phi_945_: f32;
-    var phi_946_: f32;
-    var phi_971_: bool;
-    var phi_975_: f32;
-    var phi_976_: f32;
-    var phi_993_: bool;
-    var phi_997_: f32;
-    var phi_998_: f32;
-    var phi_1039_: f32;
-    var phi_1065_: f32;
-    var phi_1066_: f32;
-    var phi_1067_: f32;
+    var phi_866_: f32;
+    var phi_879_: f32;
+    var phi_884_: f32;
+    var phi_906_: f32;
+    var phi_911_: f32;
+    var phi_912_: bool;
+    var phi_913_: f32;
+    var phi_914_: bool;
+    var phi_918_: f32;
+    var phi_956_: f32;
+    var phi_972_: f32;
+    var phi_973_: f32;
+    var phi_974_: f32;
+    var phi_987_: f32;
+    var phi_992_: f32;
+    var phi_1014_: f32;
+    var phi_1019_: f32;
+    var phi_1020_: bool;
+    var phi_1021_: f32;
+    var phi_1022_: bool;
+    var phi_1026_: f32;
+    var phi_1064_: f32;
+    var phi_1090_: f32;
+    var phi_1091_: f32;
+    var phi_1092_: f32;
 
-    let _e46 = _lt_math_esm_Esm_clamped_exponent(param_10);
-    if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_595_ = param_13;
+    let _e49 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
+        phi_632_ = param_8;
     } else {
-        if (param_13 < 0f) {
-            phi_594_ = 0f;
+        if (param_8 < 0f) {
+            phi_631_ = 0f;
         } else {
-            if (param_13 > 1f) {
-                phi_593_ = 1f;
+            if (param_8 > 1f) {
+                phi_630_ = 1f;
             } else {
-                phi_593_ = param_13;
+                phi_630_ = param_8;
             }
-            let _e53 = phi_593_;
-            phi_594_ = _e53;
+            let _e56 = phi_630_;
+            phi_631_ = _e56;
         }
-        let _e55 = phi_594_;
-        phi_595_ = _e55;
+        let _e58 = phi_631_;
+        phi_632_ = _e58;
     }
-    let _e57 = phi_595_;
-    if ((bitcast<u32>(param_11.x) & 2147483647u) > 2139095040u) {
-        phi_613_ = param_11.x;
+    let _e60 = phi_632_;
+    if ((bitcast<u32>(param_6.x) & 2147483647u) > 2139095040u) {
+        phi_650_ = param_6.x;
     } else {
-        if (param_11.x < 0f) {
-            phi_612_ = 0f;
+        if (param_6.x < 0f) {
+            phi_649_ = 0f;
         } else {
-            if (param_11.x > 1f) {
-                phi_611_ = 1f;
+            if (param_6.x > 1f) {
+                phi_648_ = 1f;
             } else {
-                phi_611_ = param_11.x;
+                phi_648_ = param_6.x;
             }
-            let _e65 = phi_611_;
-            phi_612_ = _e65;
+            let _e68 = phi_648_;
+            phi_649_ = _e68;
         }
-        let _e67 = phi_612_;
-        phi_613_ = _e67;
+        let _e70 = phi_649_;
+        phi_650_ = _e70;
     }
-    let _e69 = phi_613_;
-    let _e71 = (_e46 * (_e69 - _e57));
-    if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-        phi_706_ = _e71;
+    let _e72 = phi_650_;
+    let _e74 = (_e49 * (_e72 - _e60));
+    if ((bitcast<u32>(_e74) & 2147483647u) > 2139095040u) {
+        phi_740_ = _e74;
     } else {
-        if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-            phi_643_ = _e71;
+        if (_e74 < -87f) {
+            phi_663_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_638_ = true;
-            } else {
-                let _e81 = (-87f > _e71);
-                if _e81 {
-                }
-                phi_638_ = _e81;
-            }
-            let _e83 = phi_638_;
-            if _e83 {
-                phi_642_ = -87f;
-            } else {
-                phi_642_ = _e71;
-            }
-            let _e85 = phi_642_;
-            phi_643_ = _e85;
+            phi_663_ = _e74;
         }
-        let _e87 = phi_643_;
-        if ((bitcast<u32>(_e87) & 2147483647u) > 2139095040u) {
-            phi_665_ = _e87;
+        let _e80 = phi_663_;
+        if (_e80 > 88f) {
+            phi_668_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_660_ = true;
-            } else {
-                let _e94 = (88f < _e87);
-                if _e94 {
-                }
-                phi_660_ = _e94;
-            }
-            let _e96 = phi_660_;
-            if _e96 {
-                phi_664_ = 88f;
-            } else {
-                phi_664_ = _e87;
-            }
-            let _e98 = phi_664_;
-            phi_665_ = _e98;
+            phi_668_ = _e80;
         }
-        let _e100 = phi_665_;
-        let _e103 = floor(((_e100 * 1.442695f) + 0.5f));
-        let _e107 = ((_e100 - (_e103 * 0.69314575f)) - (_e103 * 0.0000014286068f));
-        phi_706_ = ((((((((((((((((1f / 5040f) * _e107) + (1f / 720f)) * _e107) + (1f / 120f)) * _e107) + (1f / 24f)) * _e107) + (1f / 6f)) * _e107) + 0.5f) * _e107) + 1f) * _e107) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e103), i32(-2147483648), (_e103 < bitcast<f32>(3472883712u))), 2147483647i, (_e103 > bitcast<f32>(1325400063u))), (_e103 == _e103)) + 127i)) << bitcast<u32>(23i))));
+        let _e83 = phi_668_;
+        let _e85 = ((_e83 * 1.442695f) + 0.5f);
+        if (_e85 > -8388608f) {
+            let _e97 = f32(select(0i, select(select(i32(_e85), i32(-2147483648), (_e85 < bitcast<f32>(3472883712u))), 2147483647i, (_e85 > bitcast<f32>(1325400063u))), (_e85 == _e85)));
+            if (_e97 > _e85) {
+                phi_690_ = 1f;
+            } else {
+                phi_690_ = 0f;
+            }
+            let _e100 = phi_690_;
+            if (_e85 < 8388608f) {
+                phi_695_ = (_e97 - _e100);
+                phi_696_ = false;
+            } else {
+                phi_695_ = f32();
+                phi_696_ = true;
+            }
+            let _e103 = phi_695_;
+            let _e105 = phi_696_;
+            phi_697_ = _e103;
+            phi_698_ = _e105;
+        } else {
+            phi_697_ = f32();
+            phi_698_ = true;
+        }
+        let _e107 = phi_697_;
+        let _e109 = phi_698_;
+        if _e109 {
+            phi_702_ = _e85;
+        } else {
+            phi_702_ = _e107;
+        }
+        let _e111 = phi_702_;
+        let _e115 = ((_e83 - (_e111 * 0.69314575f)) - (_e111 * 0.0000014286068f));
+        phi_740_ = ((((((((((((((((1f / 5040f) * _e115) + (1f / 720f)) * _e115) + (1f / 120f)) * _e115) + (1f / 24f)) * _e115) + (1f / 6f)) * _e115) + 0.5f) * _e115) + 1f) * _e115) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e111), i32(-2147483648), (_e111 < bitcast<f32>(3472883712u))), 2147483647i, (_e111 > bitcast<f32>(1325400063u))), (_e111 == _e111)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e143 = phi_706_;
-    if ((bitcast<u32>(param_11.y) & 2147483647u) > 2139095040u) {
-        phi_724_ = param_11.y;
+    let _e151 = phi_740_;
+    if ((bitcast<u32>(param_6.y) & 2147483647u) > 2139095040u) {
+        phi_758_ = param_6.y;
     } else {
-        if (param_11.y < 0f) {
-            phi_723_ = 0f;
+        if (param_6.y < 0f) {
+            phi_757_ = 0f;
         } else {
-            if (param_11.y > 1f) {
-                phi_722_ = 1f;
+            if (param_6.y > 1f) {
+                phi_756_ = 1f;
             } else {
-                phi_722_ = param_11.y;
+                phi_756_ = param_6.y;
             }
-            let _e151 = phi_722_;
-            phi_723_ = _e151;
+            let _e159 = phi_756_;
+            phi_757_ = _e159;
         }
-        let _e153 = phi_723_;
-        phi_724_ = _e153;
+        let _e161 = phi_757_;
+        phi_758_ = _e161;
     }
-    let _e155 = phi_724_;
-    let _e157 = (_e46 * (_e155 - _e57));
-    if ((bitcast<u32>(_e157) & 2147483647u) > 2139095040u) {
-        phi_817_ = _e157;
+    let _e163 = phi_758_;
+    let _e165 = (_e49 * (_e163 - _e60));
+    if ((bitcast<u32>(_e165) & 2147483647u) > 2139095040u) {
+        phi_848_ = _e165;
     } else {
-        if ((bitcast<u32>(_e157) & 2147483647u) > 2139095040u) {
-            phi_754_ = _e157;
+        if (_e165 < -87f) {
+            phi_771_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_749_ = true;
-            } else {
-                let _e167 = (-87f > _e157);
-                if _e167 {
-                }
-                phi_749_ = _e167;
-            }
-            let _e169 = phi_749_;
-            if _e169 {
-                phi_753_ = -87f;
-            } else {
-                phi_753_ = _e157;
-            }
-            let _e171 = phi_753_;
-            phi_754_ = _e171;
+            phi_771_ = _e165;
         }
-        let _e173 = phi_754_;
-        if ((bitcast<u32>(_e173) & 2147483647u) > 2139095040u) {
-            phi_776_ = _e173;
+        let _e171 = phi_771_;
+        if (_e171 > 88f) {
+            phi_776_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_771_ = true;
-            } else {
-                let _e180 = (88f < _e173);
-                if _e180 {
-                }
-                phi_771_ = _e180;
-            }
-            let _e182 = phi_771_;
-            if _e182 {
-                phi_775_ = 88f;
-            } else {
-                phi_775_ = _e173;
-            }
-            let _e184 = phi_775_;
-            phi_776_ = _e184;
+            phi_776_ = _e171;
         }
-        let _e186 = phi_776_;
-        let _e189 = floor(((_e186 * 1.442695f) + 0.5f));
-        let _e193 = ((_e186 - (_e189 * 0.69314575f)) - (_e189 * 0.0000014286068f));
-        phi_817_ = ((((((((((((((((1f / 5040f) * _e193) + (1f / 720f)) * _e193) + (1f / 120f)) * _e193) + (1f / 24f)) * _e193) + (1f / 6f)) * _e193) + 0.5f) * _e193) + 1f) * _e193) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e189), i32(-2147483648), (_e189 < bitcast<f32>(3472883712u))), 2147483647i, (_e189 > bitcast<f32>(1325400063u))), (_e189 == _e189)) + 127i)) << bitcast<u32>(23i))));
+        let _e174 = phi_776_;
+        let _e176 = ((_e174 * 1.442695f) + 0.5f);
+        if (_e176 > -8388608f) {
+            let _e188 = f32(select(0i, select(select(i32(_e176), i32(-2147483648), (_e176 < bitcast<f32>(3472883712u))), 2147483647i, (_e176 > bitcast<f32>(1325400063u))), (_e176 == _e176)));
+            if (_e188 > _e176) {
+                phi_798_ = 1f;
+            } else {
+                phi_798_ = 0f;
+            }
+            let _e191 = phi_798_;
+            if (_e176 < 8388608f) {
+                phi_803_ = (_e188 - _e191);
+                phi_804_ = false;
+            } else {
+                phi_803_ = f32();
+                phi_804_ = true;
+            }
+            let _e194 = phi_803_;
+            let _e196 = phi_804_;
+            phi_805_ = _e194;
+            phi_806_ = _e196;
+        } else {
+            phi_805_ = f32();
+            phi_806_ = true;
+        }
+        let _e198 = phi_805_;
+        let _e200 = phi_806_;
+        if _e200 {
+            phi_810_ = _e176;
+        } else {
+            phi_810_ = _e198;
+        }
+        let _e202 = phi_810_;
+        let _e206 = ((_e174 - (_e202 * 0.69314575f)) - (_e202 * 0.0000014286068f));
+        phi_848_ = ((((((((((((((((1f / 5040f) * _e206) + (1f / 720f)) * _e206) + (1f / 120f)) * _e206) + (1f / 24f)) * _e206) + (1f / 6f)) * _e206) + 0.5f) * _e206) + 1f) * _e206) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e202), i32(-2147483648), (_e202 < bitcast<f32>(3472883712u))), 2147483647i, (_e202 > bitcast<f32>(1325400063u))), (_e202 == _e202)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e229 = phi_817_;
-    if ((bitcast<u32>(param_11.z) & 2147483647u) > 2139095040u) {
-        phi_835_ = param_11.z;
+    let _e242 = phi_848_;
+    if ((bitcast<u32>(param_6.z) & 2147483647u) > 2139095040u) {
+        phi_866_ = param_6.z;
     } else {
-        if (param_11.z < 0f) {
-            phi_834_ = 0f;
+        if (param_6.z < 0f) {
+            phi_865_ = 0f;
         } else {
-            if (param_11.z > 1f) {
-                phi_833_ = 1f;
+            if (param_6.z > 1f) {
+                phi_864_ = 1f;
             } else {
-                phi_833_ = param_11.z;
+                phi_864_ = param_6.z;
             }
-            let _e237 = phi_833_;
-            phi_834_ = _e237;
+            let _e250 = phi_864_;
+            phi_865_ = _e250;
         }
-        let _e239 = phi_834_;
-        phi_835_ = _e239;
+        let _e252 = phi_865_;
+        phi_866_ = _e252;
     }
-    let _e241 = phi_835_;
-    let _e243 = (_e46 * (_e241 - _e57));
-    if ((bitcast<u32>(_e243) & 2147483647u) > 2139095040u) {
-        phi_928_ = _e243;
+    let _e254 = phi_866_;
+    let _e256 = (_e49 * (_e254 - _e60));
+    if ((bitcast<u32>(_e256) & 2147483647u) > 2139095040u) {
+        phi_956_ = _e256;
     } else {
-        if ((bitcast<u32>(_e243) & 2147483647u) > 2139095040u) {
-            phi_865_ = _e243;
+        if (_e256 < -87f) {
+            phi_879_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_860_ = true;
-            } else {
-                let _e253 = (-87f > _e243);
-                if _e253 {
-                }
-                phi_860_ = _e253;
-            }
-            let _e255 = phi_860_;
-            if _e255 {
-                phi_864_ = -87f;
-            } else {
-                phi_864_ = _e243;
-            }
-            let _e257 = phi_864_;
-            phi_865_ = _e257;
+            phi_879_ = _e256;
         }
-        let _e259 = phi_865_;
-        if ((bitcast<u32>(_e259) & 2147483647u) > 2139095040u) {
-            phi_887_ = _e259;
+        let _e262 = phi_879_;
+        if (_e262 > 88f) {
+            phi_884_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_882_ = true;
-            } else {
-                let _e266 = (88f < _e259);
-                if _e266 {
-                }
-                phi_882_ = _e266;
-            }
-            let _e268 = phi_882_;
-            if _e268 {
-                phi_886_ = 88f;
-            } else {
-                phi_886_ = _e259;
-            }
-            let _e270 = phi_886_;
-            phi_887_ = _e270;
+            phi_884_ = _e262;
         }
-        let _e272 = phi_887_;
-        let _e275 = floor(((_e272 * 1.442695f) + 0.5f));
-        let _e279 = ((_e272 - (_e275 * 0.69314575f)) - (_e275 * 0.0000014286068f));
-        phi_928_ = ((((((((((((((((1f / 5040f) * _e279) + (1f / 720f)) * _e279) + (1f / 120f)) * _e279) + (1f / 24f)) * _e279) + (1f / 6f)) * _e279) + 0.5f) * _e279) + 1f) * _e279) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e275), i32(-2147483648), (_e275 < bitcast<f32>(3472883712u))), 2147483647i, (_e275 > bitcast<f32>(1325400063u))), (_e275 == _e275)) + 127i)) << bitcast<u32>(23i))));
+        let _e265 = phi_884_;
+        let _e267 = ((_e265 * 1.442695f) + 0.5f);
+        if (_e267 > -8388608f) {
+            let _e279 = f32(select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)));
+            if (_e279 > _e267) {
+                phi_906_ = 1f;
+            } else {
+                phi_906_ = 0f;
+            }
+            let _e282 = phi_906_;
+            if (_e267 < 8388608f) {
+                phi_911_ = (_e279 - _e282);
+                phi_912_ = false;
+            } else {
+                phi_911_ = f32();
+                phi_912_ = true;
+            }
+            let _e285 = phi_911_;
+            let _e287 = phi_912_;
+            phi_913_ = _e285;
+            phi_914_ = _e287;
+        } else {
+            phi_913_ = f32();
+            phi_914_ = true;
+        }
+        let _e289 = phi_913_;
+        let _e291 = phi_914_;
+        if _e291 {
+            phi_918_ = _e267;
+        } else {
+            phi_918_ = _e289;
+        }
+        let _e293 = phi_918_;
+        let _e297 = ((_e265 - (_e293 * 0.69314575f)) - (_e293 * 0.0000014286068f));
+        phi_956_ = ((((((((((((((((1f / 5040f) * _e297) + (1f / 720f)) * _e297) + (1f / 120f)) * _e297) + (1f / 24f)) * _e297) + (1f / 6f)) * _e297) + 0.5f) * _e297) + 1f) * _e297) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < bitcast<f32>(3472883712u))), 2147483647i, (_e293 > bitcast<f32>(1325400063u))), (_e293 == _e293)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e315 = phi_928_;
-    if ((bitcast<u32>(param_11.w) & 2147483647u) > 2139095040u) {
-        phi_946_ = param_11.w;
+    let _e333 = phi_956_;
+    if ((bitcast<u32>(param_6.w) & 2147483647u) > 2139095040u) {
+        phi_974_ = param_6.w;
     } else {
-        if (param_11.w < 0f) {
-            phi_945_ = 0f;
+        if (param_6.w < 0f) {
+            phi_973_ = 0f;
         } else {
-            if (param_11.w > 1f) {
-                phi_944_ = 1f;
+            if (param_6.w > 1f) {
+                phi_972_ = 1f;
             } else {
-                phi_944_ = param_11.w;
+                phi_972_ = param_6.w;
             }
-            let _e323 = phi_944_;
-            phi_945_ = _e323;
+            let _e341 = phi_972_;
+            phi_973_ = _e341;
         }
-        let _e325 = phi_945_;
-        phi_946_ = _e325;
+        let _e343 = phi_973_;
+        phi_974_ = _e343;
     }
-    let _e327 = phi_946_;
-    let _e329 = (_e46 * (_e327 - _e57));
-    if ((bitcast<u32>(_e329) & 2147483647u) > 2139095040u) {
-        phi_1039_ = _e329;
+    let _e345 = phi_974_;
+    let _e347 = (_e49 * (_e345 - _e60));
+    if ((bitcast<u32>(_e347) & 2147483647u) > 2139095040u) {
+        phi_1064_ = _e347;
     } else {
-        if ((bitcast<u32>(_e329) & 2147483647u) > 2139095040u) {
-            phi_976_ = _e329;
+        if (_e347 < -87f) {
+            phi_987_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_971_ = true;
-            } else {
-                let _e339 = (-87f > _e329);
-                if _e339 {
-                }
-                phi_971_ = _e339;
-            }
-            let _e341 = phi_971_;
-            if _e341 {
-                phi_975_ = -87f;
-            } else {
-                phi_975_ = _e329;
-            }
-            let _e343 = phi_975_;
-            phi_976_ = _e343;
+            phi_987_ = _e347;
         }
-        let _e345 = phi_976_;
-        if ((bitcast<u32>(_e345) & 2147483647u) > 2139095040u) {
-            phi_998_ = _e345;
+        let _e353 = phi_987_;
+        if (_e353 > 88f) {
+            phi_992_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_993_ = true;
-            } else {
-                let _e352 = (88f < _e345);
-                if _e352 {
-                }
-                phi_993_ = _e352;
-            }
-            let _e354 = phi_993_;
-            if _e354 {
-                phi_997_ = 88f;
-            } else {
-                phi_997_ = _e345;
-            }
-            let _e356 = phi_997_;
-            phi_998_ = _e356;
+            phi_992_ = _e353;
         }
-        let _e358 = phi_998_;
-        let _e361 = floor(((_e358 * 1.442695f) + 0.5f));
-        let _e365 = ((_e358 - (_e361 * 0.69314575f)) - (_e361 * 0.0000014286068f));
-        phi_1039_ = ((((((((((((((((1f / 5040f) * _e365) + (1f / 720f)) * _e365) + (1f / 120f)) * _e365) + (1f / 24f)) * _e365) + (1f / 6f)) * _e365) + 0.5f) * _e365) + 1f) * _e365) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e361), i32(-2147483648), (_e361 < bitcast<f32>(3472883712u))), 2147483647i, (_e361 > bitcast<f32>(1325400063u))), (_e361 == _e361)) + 127i)) << bitcast<u32>(23i))));
+        let _e356 = phi_992_;
+        let _e358 = ((_e356 * 1.442695f) + 0.5f);
+        if (_e358 > -8388608f) {
+            let _e370 = f32(select(0i, select(select(i32(_e358), i32(-2147483648), (_e358 < bitcast<f32>(3472883712u))), 2147483647i, (_e358 > bitcast<f32>(1325400063u))), (_e358 == _e358)));
+            if (_e370 > _e358) {
+                phi_1014_ = 1f;
+            } else {
+                phi_1014_ = 0f;
+            }
+            let _e373 = phi_1014_;
+            if (_e358 < 8388608f) {
+                phi_1019_ = (_e370 - _e373);
+                phi_1020_ = false;
+            } else {
+                phi_1019_ = f32();
+                phi_1020_ = true;
+            }
+            let _e376 = phi_1019_;
+            let _e378 = phi_1020_;
+            phi_1021_ = _e376;
+            phi_1022_ = _e378;
+        } else {
+            phi_1021_ = f32();
+            phi_1022_ = true;
+        }
+        let _e380 = phi_1021_;
+        let _e382 = phi_1022_;
+        if _e382 {
+            phi_1026_ = _e358;
+        } else {
+            phi_1026_ = _e380;
+        }
+        let _e384 = phi_1026_;
+        let _e388 = ((_e356 - (_e384 * 0.69314575f)) - (_e384 * 0.0000014286068f));
+        phi_1064_ = ((((((((((((((((1f / 5040f) * _e388) + (1f / 720f)) * _e388) + (1f / 120f)) * _e388) + (1f / 24f)) * _e388) + (1f / 6f)) * _e388) + 0.5f) * _e388) + 1f) * _e388) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e384), i32(-2147483648), (_e384 < bitcast<f32>(3472883712u))), 2147483647i, (_e384 > bitcast<f32>(1325400063u))), (_e384 == _e384)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e401 = phi_1039_;
-    let _e412 = ((((_e143 * param_12.x) + (_e229 * param_12.y)) + (_e315 * param_12.z)) + (_e401 * param_12.w));
-    if ((bitcast<u32>(_e412) & 2147483647u) > 2139095040u) {
-        phi_1067_ = _e412;
+    let _e424 = phi_1064_;
+    let _e435 = ((((_e151 * param_7.x) + (_e242 * param_7.y)) + (_e333 * param_7.z)) + (_e424 * param_7.w));
+    if ((bitcast<u32>(_e435) & 2147483647u) > 2139095040u) {
+        phi_1092_ = _e435;
     } else {
-        if (_e412 < 0f) {
-            phi_1066_ = 0f;
+        if (_e435 < 0f) {
+            phi_1091_ = 0f;
         } else {
-            if (_e412 > 1f) {
-                phi_1065_ = 1f;
+            if (_e435 > 1f) {
+                phi_1090_ = 1f;
             } else {
-                phi_1065_ = _e412;
+                phi_1090_ = _e435;
             }
-            let _e419 = phi_1065_;
-            phi_1066_ = _e419;
+            let _e442 = phi_1090_;
+            phi_1091_ = _e442;
         }
-        let _e421 = phi_1066_;
-        phi_1067_ = _e421;
+        let _e444 = phi_1091_;
+        phi_1092_ = _e444;
     }
-    let _e423 = phi_1067_;
-    return _e423;
+    let _e446 = phi_1092_;
+    return _e446;
 }
 
 fn function_() {
     var local: f32;
-    var phi_307_: bool;
-    var phi_308_: bool;
-    var phi_309_: bool;
-    var phi_310_: bool;
-    var phi_314_: bool;
-    var phi_349_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_353_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_446_: bool;
-    var phi_447_: bool;
-    var phi_448_: bool;
-    var phi_449_: bool;
-    var phi_450_: bool;
-    var phi_451_: bool;
-    var phi_452_: bool;
-    var phi_453_: bool;
-    var phi_454_: bool;
-    var phi_455_: bool;
-    var phi_456_: bool;
-    var phi_457_: bool;
+    var phi_227_: bool;
+    var phi_228_: bool;
+    var phi_229_: bool;
+    var phi_230_: bool;
+    var phi_234_: bool;
+    var phi_278_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_282_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_359_: bool;
+    var phi_368_: bool;
+    var phi_377_: bool;
+    var phi_378_: bool;
+    var phi_379_: bool;
+    var phi_380_: bool;
+    var phi_381_: bool;
+    var phi_382_: bool;
+    var phi_383_: bool;
+    var phi_387_: bool;
+    var phi_423_: f32;
+    var phi_428_: f32;
+    var phi_429_: bool;
+    var phi_430_: f32;
+    var phi_431_: bool;
+    var phi_435_: f32;
+    var phi_455_: f32;
+    var phi_460_: f32;
     var phi_461_: bool;
-    var phi_556_: evaluate_Verdict;
-    var phi_557_: evaluate_Verdict;
-    var phi_558_: bool;
-    var phi_559_: evaluate_Verdict;
-    var phi_560_: evaluate_Verdict;
-    var phi_561_: bool;
-    var phi_565_: evaluate_Verdict;
+    var phi_462_: f32;
+    var phi_463_: bool;
+    var phi_467_: f32;
+    var phi_513_: i32;
+    var phi_518_: i32;
+    var phi_523_: i32;
+    var phi_528_: i32;
+    var phi_537_: i32;
+    var phi_542_: i32;
+    var phi_547_: i32;
+    var phi_552_: i32;
+    var phi_593_: evaluate_Verdict;
+    var phi_594_: evaluate_Verdict;
+    var phi_595_: bool;
+    var phi_596_: evaluate_Verdict;
+    var phi_597_: evaluate_Verdict;
+    var phi_598_: bool;
+    var phi_602_: evaluate_Verdict;
 
-    let _e43 = id_1;
-    let _e50 = arrayLength((&map.member));
-    let _e56 = p.member.size[0u];
-    let _e58 = p.member.size[1u];
-    let _e59 = lt_shaders_entry_pixel_index(_e43, _e56, _e58);
-    if (bitcast<i32>(_e59.root) != 0i) {
-        if (_e59.first_primitive < arrayLength((&samples.member))) {
+    let _e46 = id_1;
+    let _e53 = arrayLength((&map.member));
+    let _e59 = p.member.size[0u];
+    let _e61 = p.member.size[1u];
+    let _e62 = lt_shaders_entry_pixel_index(_e46, _e59, _e61);
+    if (bitcast<i32>(_e62.root) != 0i) {
+        if (_e62.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e68 = p.member.light;
-        let _e71 = samples.member[(0u + _e59.first_primitive)].normal[0u];
-        let _e73 = global[0u];
-        if (_e71 == _e73) {
-            let _e76 = samples.member[(0u + _e59.first_primitive)].normal[1u];
-            let _e78 = global[1u];
-            if (_e76 == _e78) {
-                let _e81 = samples.member[(0u + _e59.first_primitive)].normal[2u];
-                let _e83 = global[2u];
-                phi_307_ = (_e81 == _e83);
-                phi_308_ = false;
+        let _e71 = p.member.light;
+        let _e74 = samples.member[(0u + _e62.first_primitive)].normal[0u];
+        let _e76 = global[0u];
+        if (_e74 == _e76) {
+            let _e79 = samples.member[(0u + _e62.first_primitive)].normal[1u];
+            let _e81 = global[1u];
+            if (_e79 == _e81) {
+                let _e84 = samples.member[(0u + _e62.first_primitive)].normal[2u];
+                let _e86 = global[2u];
+                phi_227_ = (_e84 == _e86);
+                phi_228_ = false;
             } else {
-                phi_307_ = bool();
-                phi_308_ = true;
+                phi_227_ = bool();
+                phi_228_ = true;
             }
-            let _e86 = phi_307_;
-            let _e88 = phi_308_;
-            phi_309_ = _e86;
-            phi_310_ = _e88;
+            let _e89 = phi_227_;
+            let _e91 = phi_228_;
+            phi_229_ = _e89;
+            phi_230_ = _e91;
         } else {
-            phi_309_ = bool();
-            phi_310_ = true;
+            phi_229_ = bool();
+            phi_230_ = true;
         }
-        let _e90 = phi_309_;
-        let _e92 = phi_310_;
-        if _e92 {
-            phi_314_ = false;
+        let _e93 = phi_229_;
+        let _e95 = phi_230_;
+        if _e95 {
+            phi_234_ = false;
         } else {
-            phi_314_ = _e90;
+            phi_234_ = _e93;
         }
-        let _e94 = phi_314_;
-        if !(_e94) {
-            let _e97 = samples.member[(0u + _e59.first_primitive)].normal;
-            let _e99 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e100 = lt_shaders_evaluate_to_light(_e99, _e68);
-            if ((((_e97.x * _e100.x) + (_e97.y * _e100.y)) + (_e97.z * _e100.z)) > 0f) {
-                let _e114 = samples.member[(0u + _e59.first_primitive)].flags;
-                let _e122 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e122.unnamed.visibility, false), _e122.unnamed_1);
-                phi_349_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e128.unnamed, ((_e114 & 1u) == 0u));
+        let _e97 = phi_234_;
+        if !(_e97) {
+            let _e100 = samples.member[(0u + _e62.first_primitive)].normal;
+            let _e102 = samples.member[(0u + _e62.first_primitive)].position;
+            if ((((_e100.x * (_e71.x - (_e102.x * _e71.w))) + (_e100.y * (_e71.y - (_e102.y * _e71.w)))) + (_e100.z * (_e71.z - (_e102.z * _e71.w)))) > 0f) {
+                let _e126 = samples.member[(0u + _e62.first_primitive)].flags;
+                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e134.unnamed.visibility, false), _e134.unnamed_1);
+                phi_278_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e140.unnamed, ((_e126 & 1u) == 0u));
             } else {
-                let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
-                phi_349_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, true);
+                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e149.unnamed.visibility, false), _e149.unnamed_1);
+                phi_278_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e155.unnamed, true);
             }
-            let _e148 = phi_349_;
-            phi_353_ = _e148;
+            let _e160 = phi_278_;
+            phi_282_ = _e160;
         } else {
-            let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e154.unnamed.visibility, false), _e154.unnamed_1);
-            phi_353_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e160.unnamed, true);
+            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e166.unnamed.visibility, false), _e166.unnamed_1);
+            phi_282_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e172.unnamed, true);
         }
-        let _e165 = phi_353_;
-        if _e165.unnamed_1 {
-            phi_559_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
-            phi_560_ = evaluate_Verdict();
-            phi_561_ = true;
+        let _e177 = phi_282_;
+        if _e177.unnamed_1 {
+            phi_596_ = evaluate_Verdict(_e177.unnamed.visibility, _e177.unnamed.is_doubted);
+            phi_597_ = evaluate_Verdict();
+            phi_598_ = true;
         } else {
-            let _e173 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e179 = p.member.projection.row_w;
-            let _e190 = ((((_e179.x * _e173.x) + (_e179.y * _e173.y)) + (_e179.z * _e173.z)) + (_e179.w * 1f));
-            let _e192 = p.member.projection.row_x;
-            let _e204 = (((((_e192.x * _e173.x) + (_e192.y * _e173.y)) + (_e192.z * _e173.z)) + (_e192.w * 1f)) / _e190);
-            let _e206 = p.member.projection.row_y;
-            let _e218 = (((((_e206.x * _e173.x) + (_e206.y * _e173.y)) + (_e206.z * _e173.z)) + (_e206.w * 1f)) / _e190);
-            let _e220 = p.member.projection.row_z;
-            let _e231 = ((((_e220.x * _e173.x) + (_e220.y * _e173.y)) + (_e220.z * _e173.z)) + (_e220.w * 1f));
-            if (_e190 > 0f) {
-                if (_e204 >= 0f) {
-                    if (_e204 <= 1f) {
-                        if (_e218 >= 0f) {
-                            if (_e218 <= 1f) {
-                                if (_e231 >= 0f) {
-                                    phi_446_ = (_e231 <= 1f);
-                                    phi_447_ = false;
-                                } else {
-                                    phi_446_ = bool();
-                                    phi_447_ = true;
-                                }
-                                let _e240 = phi_446_;
-                                let _e242 = phi_447_;
-                                phi_448_ = _e240;
-                                phi_449_ = _e242;
-                            } else {
-                                phi_448_ = bool();
-                                phi_449_ = true;
-                            }
-                            let _e244 = phi_448_;
-                            let _e246 = phi_449_;
-                            phi_450_ = _e244;
-                            phi_451_ = _e246;
-                        } else {
-                            phi_450_ = bool();
-                            phi_451_ = true;
-                        }
-                        let _e248 = phi_450_;
-                        let _e250 = phi_451_;
-                        phi_452_ = _e248;
-                        phi_453_ = _e250;
+            let _e185 = samples.member[(0u + _e62.first_primitive)].position;
+            let _e191 = p.member.projection.row_w;
+            let _e202 = ((((_e191.x * _e185.x) + (_e191.y * _e185.y)) + (_e191.z * _e185.z)) + (_e191.w * 1f));
+            let _e204 = p.member.projection.row_x;
+            let _e216 = (((((_e204.x * _e185.x) + (_e204.y * _e185.y)) + (_e204.z * _e185.z)) + (_e204.w * 1f)) / _e202);
+            let _e218 = p.member.projection.row_y;
+            let _e230 = (((((_e218.x * _e185.x) + (_e218.y * _e185.y)) + (_e218.z * _e185.z)) + (_e218.w * 1f)) / _e202);
+            let _e232 = p.member.projection.row_z;
+            let _e243 = ((((_e232.x * _e185.x) + (_e232.y * _e185.y)) + (_e232.z * _e185.z)) + (_e232.w * 1f));
+            if (_e202 > 0f) {
+                if (_e216 >= 0f) {
+                    phi_359_ = (_e216 <= 1f);
+                } else {
+                    phi_359_ = false;
+                }
+                let _e248 = phi_359_;
+                if _e248 {
+                    if (_e230 >= 0f) {
+                        phi_368_ = (_e230 <= 1f);
                     } else {
-                        phi_452_ = bool();
-                        phi_453_ = true;
+                        phi_368_ = false;
                     }
-                    let _e252 = phi_452_;
-                    let _e254 = phi_453_;
-                    phi_454_ = _e252;
-                    phi_455_ = _e254;
+                    let _e252 = phi_368_;
+                    if _e252 {
+                        if (_e243 >= 0f) {
+                            phi_377_ = (_e243 <= 1f);
+                        } else {
+                            phi_377_ = false;
+                        }
+                        let _e256 = phi_377_;
+                        phi_378_ = _e256;
+                        phi_379_ = false;
+                    } else {
+                        phi_378_ = bool();
+                        phi_379_ = true;
+                    }
+                    let _e258 = phi_378_;
+                    let _e260 = phi_379_;
+                    phi_380_ = _e258;
+                    phi_381_ = _e260;
                 } else {
-                    phi_454_ = bool();
-                    phi_455_ = true;
+                    phi_380_ = bool();
+                    phi_381_ = true;
                 }
-                let _e256 = phi_454_;
-                let _e258 = phi_455_;
-                phi_456_ = _e256;
-                phi_457_ = _e258;
+                let _e262 = phi_380_;
+                let _e264 = phi_381_;
+                phi_382_ = _e262;
+                phi_383_ = _e264;
             } else {
-                phi_456_ = bool();
-                phi_457_ = true;
+                phi_382_ = bool();
+                phi_383_ = true;
             }
-            let _e260 = phi_456_;
-            let _e262 = phi_457_;
-            if _e262 {
-                phi_461_ = false;
+            let _e266 = phi_382_;
+            let _e268 = phi_383_;
+            if _e268 {
+                phi_387_ = false;
             } else {
-                phi_461_ = _e260;
+                phi_387_ = _e266;
             }
-            let _e264 = phi_461_;
-            if _e264 {
-                let _e266 = p.member.map_size;
-                let _e267 = f32(_e266);
-                let _e270 = ((_e204 * _e267) - 0.5f);
-                let _e271 = ((_e218 * _e267) - 0.5f);
-                let _e272 = floor(_e270);
-                let _e273 = floor(_e271);
-                let _e274 = (_e270 - _e272);
-                let _e275 = (_e271 - _e273);
-                let _e304 = p.member.test;
-                let _e305 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e304);
-                let _e307 = p.member.map_size;
-                local = _e305;
-                let _e308 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e272), i32(-2147483648), (_e272 < bitcast<f32>(3472883712u))), 2147483647i, (_e272 > bitcast<f32>(1325400063u))), (_e272 == _e272)), select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < bitcast<f32>(3472883712u))), 2147483647i, (_e273 > bitcast<f32>(1325400063u))), (_e273 == _e273)), _e307);
-                if (_e308[0] < _e50) {
+            let _e270 = phi_387_;
+            if _e270 {
+                let _e272 = p.member.map_size;
+                let _e273 = f32(_e272);
+                let _e276 = ((_e216 * _e273) - 0.5f);
+                let _e277 = ((_e230 * _e273) - 0.5f);
+                if (_e276 > -8388608f) {
+                    let _e289 = f32(select(0i, select(select(i32(_e276), i32(-2147483648), (_e276 < bitcast<f32>(3472883712u))), 2147483647i, (_e276 > bitcast<f32>(1325400063u))), (_e276 == _e276)));
+                    if (_e289 > _e276) {
+                        phi_423_ = 1f;
+                    } else {
+                        phi_423_ = 0f;
+                    }
+                    let _e292 = phi_423_;
+                    if (_e276 < 8388608f) {
+                        phi_428_ = (_e289 - _e292);
+                        phi_429_ = false;
+                    } else {
+                        phi_428_ = f32();
+                        phi_429_ = true;
+                    }
+                    let _e295 = phi_428_;
+                    let _e297 = phi_429_;
+                    phi_430_ = _e295;
+                    phi_431_ = _e297;
+                } else {
+                    phi_430_ = f32();
+                    phi_431_ = true;
+                }
+                let _e299 = phi_430_;
+                let _e301 = phi_431_;
+                if _e301 {
+                    phi_435_ = _e276;
+                } else {
+                    phi_435_ = _e299;
+                }
+                let _e303 = phi_435_;
+                if (_e277 > -8388608f) {
+                    let _e315 = f32(select(0i, select(select(i32(_e277), i32(-2147483648), (_e277 < bitcast<f32>(3472883712u))), 2147483647i, (_e277 > bitcast<f32>(1325400063u))), (_e277 == _e277)));
+                    if (_e315 > _e277) {
+                        phi_455_ = 1f;
+                    } else {
+                        phi_455_ = 0f;
+                    }
+                    let _e318 = phi_455_;
+                    if (_e277 < 8388608f) {
+                        phi_460_ = (_e315 - _e318);
+                        phi_461_ = false;
+                    } else {
+                        phi_460_ = f32();
+                        phi_461_ = true;
+                    }
+                    let _e321 = phi_460_;
+                    let _e323 = phi_461_;
+                    phi_462_ = _e321;
+                    phi_463_ = _e323;
+                } else {
+                    phi_462_ = f32();
+                    phi_463_ = true;
+                }
+                let _e325 = phi_462_;
+                let _e327 = phi_463_;
+                if _e327 {
+                    phi_467_ = _e277;
+                } else {
+                    phi_467_ = _e325;
+                }
+                let _e329 = phi_467_;
+                let _e330 = (_e276 - _e303);
+                let _e331 = (_e277 - _e329);
+                let _e340 = select(0i, select(select(i32(_e303), i32(-2147483648), (_e303 < bitcast<f32>(3472883712u))), 2147483647i, (_e303 > bitcast<f32>(1325400063u))), (_e303 == _e303));
+                let _e349 = select(0i, select(select(i32(_e329), i32(-2147483648), (_e329 < bitcast<f32>(3472883712u))), 2147483647i, (_e329 > bitcast<f32>(1325400063u))), (_e329 == _e329));
+                let _e360 = p.member.test;
+                let _e361 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e360);
+                let _e363 = p.member.map_size;
+                local = _e361;
+                let _e365 = (bitcast<i32>(_e363) - 1i);
+                if (_e340 > 0i) {
+                    phi_513_ = _e340;
+                } else {
+                    phi_513_ = 0i;
+                }
+                let _e368 = phi_513_;
+                if (_e349 > 0i) {
+                    phi_518_ = _e349;
+                } else {
+                    phi_518_ = 0i;
+                }
+                let _e371 = phi_518_;
+                if (_e368 < _e365) {
+                    phi_523_ = _e368;
+                } else {
+                    phi_523_ = _e365;
+                }
+                let _e374 = phi_523_;
+                if (_e371 < _e365) {
+                    phi_528_ = _e371;
+                } else {
+                    phi_528_ = _e365;
+                }
+                let _e377 = phi_528_;
+                let _e378 = bitcast<u32>(_e374);
+                let _e380 = (_e340 + 1i);
+                let _e381 = (_e349 + 1i);
+                if (_e380 > 0i) {
+                    phi_537_ = _e380;
+                } else {
+                    phi_537_ = 0i;
+                }
+                let _e384 = phi_537_;
+                if (_e381 > 0i) {
+                    phi_542_ = _e381;
+                } else {
+                    phi_542_ = 0i;
+                }
+                let _e387 = phi_542_;
+                if (_e384 < _e365) {
+                    phi_547_ = _e384;
+                } else {
+                    phi_547_ = _e365;
+                }
+                let _e390 = phi_547_;
+                if (_e387 < _e365) {
+                    phi_552_ = _e387;
+                } else {
+                    phi_552_ = _e365;
+                }
+                let _e393 = phi_552_;
+                let _e394 = bitcast<u32>(_e390);
+                let _e396 = (bitcast<u32>(_e377) * _e363);
+                let _e397 = (bitcast<u32>(_e393) * _e363);
+                let _e398 = (_e396 + _e378);
+                let _e399 = (_e396 + _e394);
+                let _e400 = (_e397 + _e378);
+                let _e401 = (_e397 + _e394);
+                if (_e398 < _e53) {
                 } else {
                     return;
                 }
-                let _e313 = map.member[(0u + _e308[0])];
-                if (_e308[1] < _e50) {
+                let _e405 = map.member[(0u + _e398)];
+                if (_e399 < _e53) {
                 } else {
                     return;
                 }
-                let _e318 = map.member[(0u + _e308[1])];
-                if (_e308[2] < _e50) {
+                let _e409 = map.member[(0u + _e399)];
+                if (_e400 < _e53) {
                 } else {
                     return;
                 }
-                let _e323 = map.member[(0u + _e308[2])];
-                if (_e308[3] < _e50) {
+                let _e413 = map.member[(0u + _e400)];
+                if (_e401 < _e53) {
                 } else {
                     return;
                 }
-                let _e328 = map.member[(0u + _e308[3])];
-                let _e330 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e313, _e318, _e323, _e328), vec4<f32>(((1f - _e274) * (1f - _e275)), (_e274 * (1f - _e275)), ((1f - _e274) * _e275), (_e274 * _e275)), _e231);
-                phi_556_ = evaluate_Verdict(_e330, false);
-                phi_557_ = evaluate_Verdict();
-                phi_558_ = false;
+                let _e417 = map.member[(0u + _e401)];
+                let _e419 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e405, _e409, _e413, _e417), vec4<f32>(((1f - _e330) * (1f - _e331)), (_e330 * (1f - _e331)), ((1f - _e330) * _e331), (_e330 * _e331)), _e243);
+                phi_593_ = evaluate_Verdict(_e419, false);
+                phi_594_ = evaluate_Verdict();
+                phi_595_ = false;
             } else {
-                phi_556_ = evaluate_Verdict();
-                phi_557_ = evaluate_Verdict(1f, false);
-                phi_558_ = true;
+                phi_593_ = evaluate_Verdict();
+                phi_594_ = evaluate_Verdict(1f, false);
+                phi_595_ = true;
             }
-            let _e334 = phi_556_;
-            let _e336 = phi_557_;
-            let _e338 = phi_558_;
-            phi_559_ = _e336;
-            phi_560_ = _e334;
-            phi_561_ = _e338;
+            let _e423 = phi_593_;
+            let _e425 = phi_594_;
+            let _e427 = phi_595_;
+            phi_596_ = _e425;
+            phi_597_ = _e423;
+            phi_598_ = _e427;
         }
-        let _e340 = phi_559_;
-        let _e342 = phi_560_;
-        let _e344 = phi_561_;
-        if _e344 {
-            phi_565_ = _e340;
+        let _e429 = phi_596_;
+        let _e431 = phi_597_;
+        let _e433 = phi_598_;
+        if _e433 {
+            phi_602_ = _e429;
         } else {
-            phi_565_ = _e342;
+            phi_602_ = _e431;
         }
-        let _e346 = phi_565_;
-        if (_e59.first_primitive < arrayLength((&visibility.member))) {
+        let _e435 = phi_602_;
+        if (_e62.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e59.first_primitive)] = _e346.visibility;
+        visibility.member[(0u + _e62.first_primitive)] = _e435.visibility;
     }
     return;
 }

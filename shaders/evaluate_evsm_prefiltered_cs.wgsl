@@ -14,11 +14,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_20 {
+struct type_18 {
     member: array<abi_Sample>,
 }
 
-struct type_24 {
+struct type_22 {
     member: array<f32>,
 }
 
@@ -27,7 +27,7 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct type_32 {
+struct type_30 {
     member: array<vec4<f32>>,
 }
 
@@ -50,7 +50,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_36 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -66,47 +66,47 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_20;
+var<storage> samples: type_18;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_36;
+var<uniform> p: type_35;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_24;
+var<storage, read_write> visibility: type_22;
 @group(0) @binding(2) 
-var<storage> map: type_32;
+var<storage> map: type_30;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_151_: lt_bvh_traverse_Tree;
-    var phi_152_: bool;
-    var phi_153_: lt_bvh_traverse_Tree;
-    var phi_154_: bool;
-    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_151_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_152_ = false;
+            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_148_ = false;
         } else {
-            phi_151_ = lt_bvh_traverse_Tree();
-            phi_152_ = true;
+            phi_147_ = lt_bvh_traverse_Tree();
+            phi_148_ = true;
         }
-        let _e56 = phi_151_;
-        let _e58 = phi_152_;
-        phi_153_ = _e56;
-        phi_154_ = _e58;
+        let _e59 = phi_147_;
+        let _e61 = phi_148_;
+        phi_149_ = _e59;
+        phi_150_ = _e61;
     } else {
-        phi_153_ = lt_bvh_traverse_Tree();
-        phi_154_ = true;
+        phi_149_ = lt_bvh_traverse_Tree();
+        phi_150_ = true;
     }
-    let _e60 = phi_153_;
-    let _e62 = phi_154_;
-    if _e62 {
-        phi_159_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e63 = phi_149_;
+    let _e65 = phi_150_;
+    if _e65 {
+        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_159_ = _e60;
+        phi_155_ = _e63;
     }
-    let _e67 = phi_159_;
-    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
+    let _e70 = phi_155_;
+    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -114,710 +114,721 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_negative(param_4: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_426_: bool;
-    var phi_430_: f32;
-    var phi_431_: f32;
+    var phi_416_: bool;
+    var phi_420_: f32;
+    var phi_421_: f32;
 
-    let _e45 = (*param_4).negative_exponent;
-    if ((bitcast<u32>(_e45) & 2147483647u) > 2139095040u) {
-        phi_431_ = _e45;
+    let _e48 = (*param_4).negative_exponent;
+    if ((bitcast<u32>(_e48) & 2147483647u) > 2139095040u) {
+        phi_421_ = _e48;
     } else {
         if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-            phi_426_ = true;
+            phi_416_ = true;
         } else {
-            let _e52 = (42f < _e45);
-            if _e52 {
+            let _e55 = (42f < _e48);
+            if _e55 {
             }
-            phi_426_ = _e52;
+            phi_416_ = _e55;
         }
-        let _e54 = phi_426_;
-        if _e54 {
-            phi_430_ = 42f;
+        let _e57 = phi_416_;
+        if _e57 {
+            phi_420_ = 42f;
         } else {
-            phi_430_ = _e45;
+            phi_420_ = _e48;
         }
-        let _e56 = phi_430_;
-        phi_431_ = _e56;
+        let _e59 = phi_420_;
+        phi_421_ = _e59;
     }
-    let _e58 = phi_431_;
-    return _e58;
+    let _e61 = phi_421_;
+    return _e61;
 }
 
 fn _lt_math_evsm_Evsm_positive(param_5: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_400_: bool;
-    var phi_404_: f32;
-    var phi_405_: f32;
+    var phi_390_: bool;
+    var phi_394_: f32;
+    var phi_395_: f32;
 
-    let _e45 = (*param_5).positive_exponent;
-    if ((bitcast<u32>(_e45) & 2147483647u) > 2139095040u) {
-        phi_405_ = _e45;
+    let _e48 = (*param_5).positive_exponent;
+    if ((bitcast<u32>(_e48) & 2147483647u) > 2139095040u) {
+        phi_395_ = _e48;
     } else {
         if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-            phi_400_ = true;
+            phi_390_ = true;
         } else {
-            let _e52 = (42f < _e45);
-            if _e52 {
+            let _e55 = (42f < _e48);
+            if _e55 {
             }
-            phi_400_ = _e52;
+            phi_390_ = _e55;
         }
-        let _e54 = phi_400_;
-        if _e54 {
-            phi_404_ = 42f;
+        let _e57 = phi_390_;
+        if _e57 {
+            phi_394_ = 42f;
         } else {
-            phi_404_ = _e45;
+            phi_394_ = _e48;
         }
-        let _e56 = phi_404_;
-        phi_405_ = _e56;
+        let _e59 = phi_394_;
+        phi_395_ = _e59;
     }
-    let _e58 = phi_405_;
-    return _e58;
+    let _e61 = phi_395_;
+    return _e61;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6: ptr<function, lt_math_Evsm>, param_7: f32) -> vec4<f32> {
-    var phi_186_: f32;
-    var phi_187_: f32;
-    var phi_188_: f32;
-    var phi_213_: bool;
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_235_: bool;
-    var phi_239_: f32;
-    var phi_240_: f32;
-    var phi_281_: f32;
-    var phi_307_: bool;
-    var phi_311_: f32;
-    var phi_312_: f32;
-    var phi_329_: bool;
-    var phi_333_: f32;
-    var phi_334_: f32;
-    var phi_375_: f32;
+    var phi_182_: f32;
+    var phi_183_: f32;
+    var phi_184_: f32;
+    var phi_197_: f32;
+    var phi_202_: f32;
+    var phi_224_: f32;
+    var phi_229_: f32;
+    var phi_230_: bool;
+    var phi_231_: f32;
+    var phi_232_: bool;
+    var phi_236_: f32;
+    var phi_274_: f32;
+    var phi_288_: f32;
+    var phi_293_: f32;
+    var phi_315_: f32;
+    var phi_320_: f32;
+    var phi_321_: bool;
+    var phi_322_: f32;
+    var phi_323_: bool;
+    var phi_327_: f32;
+    var phi_365_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_188_ = param_7;
+        phi_184_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_187_ = 0f;
+            phi_183_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_186_ = 1f;
+                phi_182_ = 1f;
             } else {
-                phi_186_ = param_7;
+                phi_182_ = param_7;
             }
-            let _e51 = phi_186_;
-            phi_187_ = _e51;
+            let _e54 = phi_182_;
+            phi_183_ = _e54;
         }
-        let _e53 = phi_187_;
-        phi_188_ = _e53;
+        let _e56 = phi_183_;
+        phi_184_ = _e56;
     }
-    let _e55 = phi_188_;
-    let _e56 = _lt_math_evsm_Evsm_positive(param_6);
-    let _e57 = (_e56 * _e55);
-    if ((bitcast<u32>(_e57) & 2147483647u) > 2139095040u) {
-        phi_281_ = _e57;
+    let _e58 = phi_184_;
+    let _e59 = _lt_math_evsm_Evsm_positive(param_6);
+    let _e60 = (_e59 * _e58);
+    if ((bitcast<u32>(_e60) & 2147483647u) > 2139095040u) {
+        phi_274_ = _e60;
     } else {
-        if ((bitcast<u32>(_e57) & 2147483647u) > 2139095040u) {
-            phi_218_ = _e57;
+        if (_e60 < -87f) {
+            phi_197_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_213_ = true;
-            } else {
-                let _e67 = (-87f > _e57);
-                if _e67 {
-                }
-                phi_213_ = _e67;
-            }
-            let _e69 = phi_213_;
-            if _e69 {
-                phi_217_ = -87f;
-            } else {
-                phi_217_ = _e57;
-            }
-            let _e71 = phi_217_;
-            phi_218_ = _e71;
+            phi_197_ = _e60;
         }
-        let _e73 = phi_218_;
-        if ((bitcast<u32>(_e73) & 2147483647u) > 2139095040u) {
-            phi_240_ = _e73;
+        let _e66 = phi_197_;
+        if (_e66 > 88f) {
+            phi_202_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_235_ = true;
-            } else {
-                let _e80 = (88f < _e73);
-                if _e80 {
-                }
-                phi_235_ = _e80;
-            }
-            let _e82 = phi_235_;
-            if _e82 {
-                phi_239_ = 88f;
-            } else {
-                phi_239_ = _e73;
-            }
-            let _e84 = phi_239_;
-            phi_240_ = _e84;
+            phi_202_ = _e66;
         }
-        let _e86 = phi_240_;
-        let _e89 = floor(((_e86 * 1.442695f) + 0.5f));
-        let _e93 = ((_e86 - (_e89 * 0.69314575f)) - (_e89 * 0.0000014286068f));
-        phi_281_ = ((((((((((((((((1f / 5040f) * _e93) + (1f / 720f)) * _e93) + (1f / 120f)) * _e93) + (1f / 24f)) * _e93) + (1f / 6f)) * _e93) + 0.5f) * _e93) + 1f) * _e93) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e89), i32(-2147483648), (_e89 < bitcast<f32>(3472883712u))), 2147483647i, (_e89 > bitcast<f32>(1325400063u))), (_e89 == _e89)) + 127i)) << bitcast<u32>(23i))));
+        let _e69 = phi_202_;
+        let _e71 = ((_e69 * 1.442695f) + 0.5f);
+        if (_e71 > -8388608f) {
+            let _e83 = f32(select(0i, select(select(i32(_e71), i32(-2147483648), (_e71 < bitcast<f32>(3472883712u))), 2147483647i, (_e71 > bitcast<f32>(1325400063u))), (_e71 == _e71)));
+            if (_e83 > _e71) {
+                phi_224_ = 1f;
+            } else {
+                phi_224_ = 0f;
+            }
+            let _e86 = phi_224_;
+            if (_e71 < 8388608f) {
+                phi_229_ = (_e83 - _e86);
+                phi_230_ = false;
+            } else {
+                phi_229_ = f32();
+                phi_230_ = true;
+            }
+            let _e89 = phi_229_;
+            let _e91 = phi_230_;
+            phi_231_ = _e89;
+            phi_232_ = _e91;
+        } else {
+            phi_231_ = f32();
+            phi_232_ = true;
+        }
+        let _e93 = phi_231_;
+        let _e95 = phi_232_;
+        if _e95 {
+            phi_236_ = _e71;
+        } else {
+            phi_236_ = _e93;
+        }
+        let _e97 = phi_236_;
+        let _e101 = ((_e69 - (_e97 * 0.69314575f)) - (_e97 * 0.0000014286068f));
+        phi_274_ = ((((((((((((((((1f / 5040f) * _e101) + (1f / 720f)) * _e101) + (1f / 120f)) * _e101) + (1f / 24f)) * _e101) + (1f / 6f)) * _e101) + 0.5f) * _e101) + 1f) * _e101) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e97), i32(-2147483648), (_e97 < bitcast<f32>(3472883712u))), 2147483647i, (_e97 > bitcast<f32>(1325400063u))), (_e97 == _e97)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e129 = phi_281_;
-    let _e130 = _lt_math_evsm_Evsm_negative(param_6);
-    let _e132 = (-(_e130) * _e55);
-    if ((bitcast<u32>(_e132) & 2147483647u) > 2139095040u) {
-        phi_375_ = _e132;
+    let _e137 = phi_274_;
+    let _e138 = _lt_math_evsm_Evsm_negative(param_6);
+    let _e140 = (-(_e138) * _e58);
+    if ((bitcast<u32>(_e140) & 2147483647u) > 2139095040u) {
+        phi_365_ = _e140;
     } else {
-        if ((bitcast<u32>(_e132) & 2147483647u) > 2139095040u) {
-            phi_312_ = _e132;
+        if (_e140 < -87f) {
+            phi_288_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_307_ = true;
-            } else {
-                let _e142 = (-87f > _e132);
-                if _e142 {
-                }
-                phi_307_ = _e142;
-            }
-            let _e144 = phi_307_;
-            if _e144 {
-                phi_311_ = -87f;
-            } else {
-                phi_311_ = _e132;
-            }
-            let _e146 = phi_311_;
-            phi_312_ = _e146;
+            phi_288_ = _e140;
         }
-        let _e148 = phi_312_;
-        if ((bitcast<u32>(_e148) & 2147483647u) > 2139095040u) {
-            phi_334_ = _e148;
+        let _e146 = phi_288_;
+        if (_e146 > 88f) {
+            phi_293_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_329_ = true;
-            } else {
-                let _e155 = (88f < _e148);
-                if _e155 {
-                }
-                phi_329_ = _e155;
-            }
-            let _e157 = phi_329_;
-            if _e157 {
-                phi_333_ = 88f;
-            } else {
-                phi_333_ = _e148;
-            }
-            let _e159 = phi_333_;
-            phi_334_ = _e159;
+            phi_293_ = _e146;
         }
-        let _e161 = phi_334_;
-        let _e164 = floor(((_e161 * 1.442695f) + 0.5f));
-        let _e168 = ((_e161 - (_e164 * 0.69314575f)) - (_e164 * 0.0000014286068f));
-        phi_375_ = ((((((((((((((((1f / 5040f) * _e168) + (1f / 720f)) * _e168) + (1f / 120f)) * _e168) + (1f / 24f)) * _e168) + (1f / 6f)) * _e168) + 0.5f) * _e168) + 1f) * _e168) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e164), i32(-2147483648), (_e164 < bitcast<f32>(3472883712u))), 2147483647i, (_e164 > bitcast<f32>(1325400063u))), (_e164 == _e164)) + 127i)) << bitcast<u32>(23i))));
+        let _e149 = phi_293_;
+        let _e151 = ((_e149 * 1.442695f) + 0.5f);
+        if (_e151 > -8388608f) {
+            let _e163 = f32(select(0i, select(select(i32(_e151), i32(-2147483648), (_e151 < bitcast<f32>(3472883712u))), 2147483647i, (_e151 > bitcast<f32>(1325400063u))), (_e151 == _e151)));
+            if (_e163 > _e151) {
+                phi_315_ = 1f;
+            } else {
+                phi_315_ = 0f;
+            }
+            let _e166 = phi_315_;
+            if (_e151 < 8388608f) {
+                phi_320_ = (_e163 - _e166);
+                phi_321_ = false;
+            } else {
+                phi_320_ = f32();
+                phi_321_ = true;
+            }
+            let _e169 = phi_320_;
+            let _e171 = phi_321_;
+            phi_322_ = _e169;
+            phi_323_ = _e171;
+        } else {
+            phi_322_ = f32();
+            phi_323_ = true;
+        }
+        let _e173 = phi_322_;
+        let _e175 = phi_323_;
+        if _e175 {
+            phi_327_ = _e151;
+        } else {
+            phi_327_ = _e173;
+        }
+        let _e177 = phi_327_;
+        let _e181 = ((_e149 - (_e177 * 0.69314575f)) - (_e177 * 0.0000014286068f));
+        phi_365_ = ((((((((((((((((1f / 5040f) * _e181) + (1f / 720f)) * _e181) + (1f / 120f)) * _e181) + (1f / 24f)) * _e181) + (1f / 6f)) * _e181) + 0.5f) * _e181) + 1f) * _e181) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e177), i32(-2147483648), (_e177 < bitcast<f32>(3472883712u))), 2147483647i, (_e177 > bitcast<f32>(1325400063u))), (_e177 == _e177)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e204 = phi_375_;
-    let _e205 = -(_e204);
-    return vec4<f32>(_e129, (_e129 * _e129), _e205, (_e205 * _e205));
+    let _e217 = phi_365_;
+    let _e218 = -(_e217);
+    return vec4<f32>(_e137, (_e137 * _e137), _e218, (_e218 * _e218));
 }
 
-fn lt_shaders_evaluate_to_light(param_8: vec3<f32>, param_9: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_9.x - (param_8.x * param_9.w)), (param_9.y - (param_8.y * param_9.w)), (param_9.z - (param_8.z * param_9.w)));
-}
+fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_8: ptr<function, lt_math_Evsm>, param_9: vec4<f32>, param_10: f32) -> f32 {
+    var phi_941_: bool;
+    var phi_945_: f32;
+    var phi_946_: f32;
+    var phi_958_: bool;
+    var phi_965_: f32;
+    var phi_996_: bool;
+    var phi_1000_: f32;
+    var phi_1001_: f32;
+    var phi_1013_: bool;
+    var phi_1020_: f32;
+    var phi_1037_: bool;
+    var phi_1041_: f32;
+    var phi_1042_: f32;
+    var phi_1057_: f32;
+    var phi_1058_: f32;
+    var phi_1059_: f32;
 
-fn lt_shaders_evaluate_quad_indices(param_10: i32, param_11: i32, param_12: u32) -> array<u32, 4> {
-    var phi_459_: i32;
-    var phi_464_: i32;
-    var phi_469_: i32;
-    var phi_474_: i32;
-    var phi_483_: i32;
-    var phi_488_: i32;
-    var phi_493_: i32;
-    var phi_498_: i32;
-
-    let _e47 = (bitcast<i32>(param_12) - 1i);
-    if (param_10 > 0i) {
-        phi_459_ = param_10;
+    let _e49 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_8, param_10);
+    let _e50 = _lt_math_evsm_Evsm_positive(param_8);
+    let _e52 = (*param_8).min_variance;
+    let _e56 = (((_e52 * _e50) * _e50) * _e49.y);
+    let _e63 = ((param_9.y - (param_9.x * param_9.x)) + (0.00000047683716f * param_9.y));
+    if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
+        phi_946_ = _e63;
     } else {
-        phi_459_ = 0i;
-    }
-    let _e50 = phi_459_;
-    if (param_11 > 0i) {
-        phi_464_ = param_11;
-    } else {
-        phi_464_ = 0i;
-    }
-    let _e53 = phi_464_;
-    if (_e50 < _e47) {
-        phi_469_ = _e50;
-    } else {
-        phi_469_ = _e47;
-    }
-    let _e56 = phi_469_;
-    if (_e53 < _e47) {
-        phi_474_ = _e53;
-    } else {
-        phi_474_ = _e47;
-    }
-    let _e59 = phi_474_;
-    let _e60 = bitcast<u32>(_e56);
-    let _e62 = (param_10 + 1i);
-    let _e63 = (param_11 + 1i);
-    if (_e62 > 0i) {
-        phi_483_ = _e62;
-    } else {
-        phi_483_ = 0i;
-    }
-    let _e66 = phi_483_;
-    if (_e63 > 0i) {
-        phi_488_ = _e63;
-    } else {
-        phi_488_ = 0i;
-    }
-    let _e69 = phi_488_;
-    if (_e66 < _e47) {
-        phi_493_ = _e66;
-    } else {
-        phi_493_ = _e47;
-    }
-    let _e72 = phi_493_;
-    if (_e69 < _e47) {
-        phi_498_ = _e69;
-    } else {
-        phi_498_ = _e47;
-    }
-    let _e75 = phi_498_;
-    let _e76 = bitcast<u32>(_e72);
-    let _e78 = (bitcast<u32>(_e59) * param_12);
-    let _e79 = (bitcast<u32>(_e75) * param_12);
-    return array<u32, 4>((_e78 + _e60), (_e78 + _e76), (_e79 + _e60), (_e79 + _e76));
-}
-
-fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_13: ptr<function, lt_math_Evsm>, param_14: vec4<f32>, param_15: f32) -> f32 {
-    var phi_909_: bool;
-    var phi_913_: f32;
-    var phi_914_: f32;
-    var phi_931_: bool;
-    var phi_935_: f32;
-    var phi_936_: f32;
-    var phi_948_: bool;
-    var phi_955_: f32;
-    var phi_985_: bool;
-    var phi_989_: f32;
-    var phi_990_: f32;
-    var phi_1007_: bool;
-    var phi_1011_: f32;
-    var phi_1012_: f32;
-    var phi_1024_: bool;
-    var phi_1031_: f32;
-    var phi_1048_: bool;
-    var phi_1052_: f32;
-    var phi_1053_: f32;
-    var phi_1068_: f32;
-    var phi_1069_: f32;
-    var phi_1070_: f32;
-
-    let _e46 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_13, param_15);
-    let _e47 = _lt_math_evsm_Evsm_positive(param_13);
-    let _e49 = (*param_13).min_variance;
-    let _e53 = (((_e49 * _e47) * _e47) * _e46.y);
-    let _e58 = (param_14.y - (param_14.x * param_14.x));
-    let _e59 = (0.00000047683716f * param_14.y);
-    if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
-        phi_914_ = _e53;
-    } else {
-        if ((bitcast<u32>(_e59) & 2147483647u) > 2139095040u) {
-            phi_909_ = true;
+        if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
+            phi_941_ = true;
         } else {
-            let _e66 = (_e59 > _e53);
-            if _e66 {
+            let _e70 = (_e56 > _e63);
+            if _e70 {
             }
-            phi_909_ = _e66;
+            phi_941_ = _e70;
         }
-        let _e68 = phi_909_;
-        if _e68 {
-            phi_913_ = _e59;
+        let _e72 = phi_941_;
+        if _e72 {
+            phi_945_ = _e56;
         } else {
-            phi_913_ = _e53;
+            phi_945_ = _e63;
         }
-        let _e70 = phi_913_;
-        phi_914_ = _e70;
+        let _e74 = phi_945_;
+        phi_946_ = _e74;
     }
-    let _e72 = phi_914_;
-    if ((bitcast<u32>(_e58) & 2147483647u) > 2139095040u) {
-        phi_936_ = _e58;
-    } else {
-        if ((bitcast<u32>(_e72) & 2147483647u) > 2139095040u) {
-            phi_931_ = true;
-        } else {
-            let _e79 = (_e72 > _e58);
-            if _e79 {
-            }
-            phi_931_ = _e79;
-        }
-        let _e81 = phi_931_;
+    let _e76 = phi_946_;
+    let _e77 = (_e49.x - param_9.x);
+    if (_e77 <= 0f) {
+        let _e81 = ((bitcast<u32>(_e76) & 2147483647u) > 2139095040u);
         if _e81 {
-            phi_935_ = _e72;
-        } else {
-            phi_935_ = _e58;
         }
-        let _e83 = phi_935_;
-        phi_936_ = _e83;
-    }
-    let _e85 = phi_936_;
-    let _e86 = (_e46.x - param_14.x);
-    if (_e86 <= 0f) {
-        let _e90 = ((bitcast<u32>(_e85) & 2147483647u) > 2139095040u);
-        if _e90 {
-        }
-        phi_948_ = _e90;
+        phi_958_ = _e81;
     } else {
-        phi_948_ = true;
+        phi_958_ = true;
     }
-    let _e92 = phi_948_;
-    if _e92 {
-        phi_955_ = (_e85 / (_e85 + (_e86 * _e86)));
+    let _e83 = phi_958_;
+    if _e83 {
+        phi_965_ = (_e76 / (_e76 + (_e77 * _e77)));
     } else {
-        phi_955_ = 1f;
+        phi_965_ = 1f;
     }
-    let _e97 = phi_955_;
-    let _e98 = _lt_math_evsm_Evsm_negative(param_13);
-    let _e100 = (*param_13).min_variance;
-    let _e104 = (((_e100 * _e98) * _e98) * _e46.w);
-    let _e109 = (param_14.w - (param_14.z * param_14.z));
-    let _e110 = (0.00000047683716f * param_14.w);
-    if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
-        phi_990_ = _e104;
+    let _e88 = phi_965_;
+    let _e89 = _lt_math_evsm_Evsm_negative(param_8);
+    let _e91 = (*param_8).min_variance;
+    let _e95 = (((_e91 * _e89) * _e89) * _e49.w);
+    let _e102 = ((param_9.w - (param_9.z * param_9.z)) + (0.00000047683716f * param_9.w));
+    if ((bitcast<u32>(_e102) & 2147483647u) > 2139095040u) {
+        phi_1001_ = _e102;
     } else {
-        if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-            phi_985_ = true;
+        if ((bitcast<u32>(_e95) & 2147483647u) > 2139095040u) {
+            phi_996_ = true;
         } else {
-            let _e117 = (_e110 > _e104);
-            if _e117 {
+            let _e109 = (_e95 > _e102);
+            if _e109 {
             }
-            phi_985_ = _e117;
+            phi_996_ = _e109;
         }
-        let _e119 = phi_985_;
-        if _e119 {
-            phi_989_ = _e110;
+        let _e111 = phi_996_;
+        if _e111 {
+            phi_1000_ = _e95;
         } else {
-            phi_989_ = _e104;
+            phi_1000_ = _e102;
         }
-        let _e121 = phi_989_;
-        phi_990_ = _e121;
+        let _e113 = phi_1000_;
+        phi_1001_ = _e113;
     }
-    let _e123 = phi_990_;
-    if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-        phi_1012_ = _e109;
+    let _e115 = phi_1001_;
+    let _e116 = (_e49.z - param_9.z);
+    if (_e116 <= 0f) {
+        let _e120 = ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u);
+        if _e120 {
+        }
+        phi_1013_ = _e120;
     } else {
-        if ((bitcast<u32>(_e123) & 2147483647u) > 2139095040u) {
-            phi_1007_ = true;
+        phi_1013_ = true;
+    }
+    let _e122 = phi_1013_;
+    if _e122 {
+        phi_1020_ = (_e115 / (_e115 + (_e116 * _e116)));
+    } else {
+        phi_1020_ = 1f;
+    }
+    let _e127 = phi_1020_;
+    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
+        phi_1042_ = _e88;
+    } else {
+        if ((bitcast<u32>(_e127) & 2147483647u) > 2139095040u) {
+            phi_1037_ = true;
         } else {
-            let _e130 = (_e123 > _e109);
-            if _e130 {
+            let _e134 = (_e127 < _e88);
+            if _e134 {
             }
-            phi_1007_ = _e130;
+            phi_1037_ = _e134;
         }
-        let _e132 = phi_1007_;
-        if _e132 {
-            phi_1011_ = _e123;
+        let _e136 = phi_1037_;
+        if _e136 {
+            phi_1041_ = _e127;
         } else {
-            phi_1011_ = _e109;
+            phi_1041_ = _e88;
         }
-        let _e134 = phi_1011_;
-        phi_1012_ = _e134;
+        let _e138 = phi_1041_;
+        phi_1042_ = _e138;
     }
-    let _e136 = phi_1012_;
-    let _e137 = (_e46.z - param_14.z);
-    if (_e137 <= 0f) {
-        let _e141 = ((bitcast<u32>(_e136) & 2147483647u) > 2139095040u);
-        if _e141 {
-        }
-        phi_1024_ = _e141;
+    let _e140 = phi_1042_;
+    if ((bitcast<u32>(_e140) & 2147483647u) > 2139095040u) {
+        phi_1059_ = _e140;
     } else {
-        phi_1024_ = true;
-    }
-    let _e143 = phi_1024_;
-    if _e143 {
-        phi_1031_ = (_e136 / (_e136 + (_e137 * _e137)));
-    } else {
-        phi_1031_ = 1f;
-    }
-    let _e148 = phi_1031_;
-    if ((bitcast<u32>(_e97) & 2147483647u) > 2139095040u) {
-        phi_1053_ = _e97;
-    } else {
-        if ((bitcast<u32>(_e148) & 2147483647u) > 2139095040u) {
-            phi_1048_ = true;
+        if (_e140 < 0f) {
+            phi_1058_ = 0f;
         } else {
-            let _e155 = (_e148 < _e97);
-            if _e155 {
-            }
-            phi_1048_ = _e155;
-        }
-        let _e157 = phi_1048_;
-        if _e157 {
-            phi_1052_ = _e148;
-        } else {
-            phi_1052_ = _e97;
-        }
-        let _e159 = phi_1052_;
-        phi_1053_ = _e159;
-    }
-    let _e161 = phi_1053_;
-    if ((bitcast<u32>(_e161) & 2147483647u) > 2139095040u) {
-        phi_1070_ = _e161;
-    } else {
-        if (_e161 < 0f) {
-            phi_1069_ = 0f;
-        } else {
-            if (_e161 > 1f) {
-                phi_1068_ = 1f;
+            if (_e140 > 1f) {
+                phi_1057_ = 1f;
             } else {
-                phi_1068_ = _e161;
+                phi_1057_ = _e140;
             }
-            let _e168 = phi_1068_;
-            phi_1069_ = _e168;
+            let _e147 = phi_1057_;
+            phi_1058_ = _e147;
         }
-        let _e170 = phi_1069_;
-        phi_1070_ = _e170;
+        let _e149 = phi_1058_;
+        phi_1059_ = _e149;
     }
-    let _e172 = phi_1070_;
-    return _e172;
+    let _e151 = phi_1059_;
+    return _e151;
 }
 
 fn function_() {
     var local: lt_math_Evsm;
-    var phi_561_: bool;
-    var phi_562_: bool;
-    var phi_563_: bool;
-    var phi_564_: bool;
-    var phi_568_: bool;
-    var phi_603_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_607_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_702_: bool;
-    var phi_703_: bool;
-    var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_707_: bool;
-    var phi_708_: bool;
+    var phi_475_: bool;
+    var phi_476_: bool;
+    var phi_477_: bool;
+    var phi_478_: bool;
+    var phi_482_: bool;
+    var phi_526_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_530_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_607_: bool;
+    var phi_616_: bool;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_627_: bool;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: bool;
+    var phi_631_: bool;
+    var phi_635_: bool;
+    var phi_671_: f32;
+    var phi_676_: f32;
+    var phi_677_: bool;
+    var phi_678_: f32;
+    var phi_679_: bool;
+    var phi_683_: f32;
+    var phi_703_: f32;
+    var phi_708_: f32;
     var phi_709_: bool;
-    var phi_710_: bool;
+    var phi_710_: f32;
     var phi_711_: bool;
-    var phi_715_: bool;
-    var phi_858_: evaluate_Verdict;
-    var phi_859_: evaluate_Verdict;
-    var phi_860_: bool;
-    var phi_861_: evaluate_Verdict;
-    var phi_862_: evaluate_Verdict;
-    var phi_863_: bool;
-    var phi_867_: evaluate_Verdict;
+    var phi_715_: f32;
+    var phi_765_: i32;
+    var phi_770_: i32;
+    var phi_775_: i32;
+    var phi_780_: i32;
+    var phi_789_: i32;
+    var phi_794_: i32;
+    var phi_799_: i32;
+    var phi_804_: i32;
+    var phi_889_: evaluate_Verdict;
+    var phi_890_: evaluate_Verdict;
+    var phi_891_: bool;
+    var phi_892_: evaluate_Verdict;
+    var phi_893_: evaluate_Verdict;
+    var phi_894_: bool;
+    var phi_898_: evaluate_Verdict;
 
-    let _e44 = id_1;
-    let _e51 = arrayLength((&map.member));
-    let _e57 = p.member.size[0u];
-    let _e59 = p.member.size[1u];
-    let _e60 = lt_shaders_entry_pixel_index(_e44, _e57, _e59);
-    if (bitcast<i32>(_e60.root) != 0i) {
-        if (_e60.first_primitive < arrayLength((&samples.member))) {
+    let _e47 = id_1;
+    let _e54 = arrayLength((&map.member));
+    let _e60 = p.member.size[0u];
+    let _e62 = p.member.size[1u];
+    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
+    if (bitcast<i32>(_e63.root) != 0i) {
+        if (_e63.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e69 = p.member.light;
-        let _e72 = samples.member[(0u + _e60.first_primitive)].normal[0u];
-        let _e74 = global[0u];
-        if (_e72 == _e74) {
-            let _e77 = samples.member[(0u + _e60.first_primitive)].normal[1u];
-            let _e79 = global[1u];
-            if (_e77 == _e79) {
-                let _e82 = samples.member[(0u + _e60.first_primitive)].normal[2u];
-                let _e84 = global[2u];
-                phi_561_ = (_e82 == _e84);
-                phi_562_ = false;
+        let _e72 = p.member.light;
+        let _e75 = samples.member[(0u + _e63.first_primitive)].normal[0u];
+        let _e77 = global[0u];
+        if (_e75 == _e77) {
+            let _e80 = samples.member[(0u + _e63.first_primitive)].normal[1u];
+            let _e82 = global[1u];
+            if (_e80 == _e82) {
+                let _e85 = samples.member[(0u + _e63.first_primitive)].normal[2u];
+                let _e87 = global[2u];
+                phi_475_ = (_e85 == _e87);
+                phi_476_ = false;
             } else {
-                phi_561_ = bool();
-                phi_562_ = true;
+                phi_475_ = bool();
+                phi_476_ = true;
             }
-            let _e87 = phi_561_;
-            let _e89 = phi_562_;
-            phi_563_ = _e87;
-            phi_564_ = _e89;
+            let _e90 = phi_475_;
+            let _e92 = phi_476_;
+            phi_477_ = _e90;
+            phi_478_ = _e92;
         } else {
-            phi_563_ = bool();
-            phi_564_ = true;
+            phi_477_ = bool();
+            phi_478_ = true;
         }
-        let _e91 = phi_563_;
-        let _e93 = phi_564_;
-        if _e93 {
-            phi_568_ = false;
+        let _e94 = phi_477_;
+        let _e96 = phi_478_;
+        if _e96 {
+            phi_482_ = false;
         } else {
-            phi_568_ = _e91;
+            phi_482_ = _e94;
         }
-        let _e95 = phi_568_;
-        if !(_e95) {
-            let _e98 = samples.member[(0u + _e60.first_primitive)].normal;
-            let _e100 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e101 = lt_shaders_evaluate_to_light(_e100, _e69);
-            if ((((_e98.x * _e101.x) + (_e98.y * _e101.y)) + (_e98.z * _e101.z)) > 0f) {
-                let _e115 = samples.member[(0u + _e60.first_primitive)].flags;
-                let _e123 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e129 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e123.unnamed.visibility, false), _e123.unnamed_1);
-                phi_603_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e129.unnamed, ((_e115 & 1u) == 0u));
+        let _e98 = phi_482_;
+        if !(_e98) {
+            let _e101 = samples.member[(0u + _e63.first_primitive)].normal;
+            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
+            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
+                let _e127 = samples.member[(0u + _e63.first_primitive)].flags;
+                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
+                phi_526_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
             } else {
-                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
-                phi_603_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, true);
+                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
+                phi_526_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
             }
-            let _e149 = phi_603_;
-            phi_607_ = _e149;
+            let _e161 = phi_526_;
+            phi_530_ = _e161;
         } else {
-            let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e155.unnamed.visibility, false), _e155.unnamed_1);
-            phi_607_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e161.unnamed, true);
+            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
+            phi_530_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
         }
-        let _e166 = phi_607_;
-        if _e166.unnamed_1 {
-            phi_861_ = evaluate_Verdict(_e166.unnamed.visibility, _e166.unnamed.is_doubted);
-            phi_862_ = evaluate_Verdict();
-            phi_863_ = true;
+        let _e178 = phi_530_;
+        if _e178.unnamed_1 {
+            phi_892_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
+            phi_893_ = evaluate_Verdict();
+            phi_894_ = true;
         } else {
-            let _e174 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e180 = p.member.projection.row_w;
-            let _e191 = ((((_e180.x * _e174.x) + (_e180.y * _e174.y)) + (_e180.z * _e174.z)) + (_e180.w * 1f));
-            let _e193 = p.member.projection.row_x;
-            let _e205 = (((((_e193.x * _e174.x) + (_e193.y * _e174.y)) + (_e193.z * _e174.z)) + (_e193.w * 1f)) / _e191);
-            let _e207 = p.member.projection.row_y;
-            let _e219 = (((((_e207.x * _e174.x) + (_e207.y * _e174.y)) + (_e207.z * _e174.z)) + (_e207.w * 1f)) / _e191);
-            let _e221 = p.member.projection.row_z;
-            let _e232 = ((((_e221.x * _e174.x) + (_e221.y * _e174.y)) + (_e221.z * _e174.z)) + (_e221.w * 1f));
-            if (_e191 > 0f) {
-                if (_e205 >= 0f) {
-                    if (_e205 <= 1f) {
-                        if (_e219 >= 0f) {
-                            if (_e219 <= 1f) {
-                                if (_e232 >= 0f) {
-                                    phi_700_ = (_e232 <= 1f);
-                                    phi_701_ = false;
-                                } else {
-                                    phi_700_ = bool();
-                                    phi_701_ = true;
-                                }
-                                let _e241 = phi_700_;
-                                let _e243 = phi_701_;
-                                phi_702_ = _e241;
-                                phi_703_ = _e243;
-                            } else {
-                                phi_702_ = bool();
-                                phi_703_ = true;
-                            }
-                            let _e245 = phi_702_;
-                            let _e247 = phi_703_;
-                            phi_704_ = _e245;
-                            phi_705_ = _e247;
-                        } else {
-                            phi_704_ = bool();
-                            phi_705_ = true;
-                        }
-                        let _e249 = phi_704_;
-                        let _e251 = phi_705_;
-                        phi_706_ = _e249;
-                        phi_707_ = _e251;
+            let _e186 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e192 = p.member.projection.row_w;
+            let _e203 = ((((_e192.x * _e186.x) + (_e192.y * _e186.y)) + (_e192.z * _e186.z)) + (_e192.w * 1f));
+            let _e205 = p.member.projection.row_x;
+            let _e217 = (((((_e205.x * _e186.x) + (_e205.y * _e186.y)) + (_e205.z * _e186.z)) + (_e205.w * 1f)) / _e203);
+            let _e219 = p.member.projection.row_y;
+            let _e231 = (((((_e219.x * _e186.x) + (_e219.y * _e186.y)) + (_e219.z * _e186.z)) + (_e219.w * 1f)) / _e203);
+            let _e233 = p.member.projection.row_z;
+            let _e244 = ((((_e233.x * _e186.x) + (_e233.y * _e186.y)) + (_e233.z * _e186.z)) + (_e233.w * 1f));
+            if (_e203 > 0f) {
+                if (_e217 >= 0f) {
+                    phi_607_ = (_e217 <= 1f);
+                } else {
+                    phi_607_ = false;
+                }
+                let _e249 = phi_607_;
+                if _e249 {
+                    if (_e231 >= 0f) {
+                        phi_616_ = (_e231 <= 1f);
                     } else {
-                        phi_706_ = bool();
-                        phi_707_ = true;
+                        phi_616_ = false;
                     }
-                    let _e253 = phi_706_;
-                    let _e255 = phi_707_;
-                    phi_708_ = _e253;
-                    phi_709_ = _e255;
+                    let _e253 = phi_616_;
+                    if _e253 {
+                        if (_e244 >= 0f) {
+                            phi_625_ = (_e244 <= 1f);
+                        } else {
+                            phi_625_ = false;
+                        }
+                        let _e257 = phi_625_;
+                        phi_626_ = _e257;
+                        phi_627_ = false;
+                    } else {
+                        phi_626_ = bool();
+                        phi_627_ = true;
+                    }
+                    let _e259 = phi_626_;
+                    let _e261 = phi_627_;
+                    phi_628_ = _e259;
+                    phi_629_ = _e261;
                 } else {
-                    phi_708_ = bool();
-                    phi_709_ = true;
+                    phi_628_ = bool();
+                    phi_629_ = true;
                 }
-                let _e257 = phi_708_;
-                let _e259 = phi_709_;
-                phi_710_ = _e257;
-                phi_711_ = _e259;
+                let _e263 = phi_628_;
+                let _e265 = phi_629_;
+                phi_630_ = _e263;
+                phi_631_ = _e265;
             } else {
-                phi_710_ = bool();
-                phi_711_ = true;
+                phi_630_ = bool();
+                phi_631_ = true;
             }
-            let _e261 = phi_710_;
-            let _e263 = phi_711_;
-            if _e263 {
-                phi_715_ = false;
+            let _e267 = phi_630_;
+            let _e269 = phi_631_;
+            if _e269 {
+                phi_635_ = false;
             } else {
-                phi_715_ = _e261;
+                phi_635_ = _e267;
             }
-            let _e265 = phi_715_;
-            if _e265 {
-                let _e267 = p.member.map_size;
-                let _e268 = f32(_e267);
-                let _e271 = ((_e205 * _e268) - 0.5f);
-                let _e272 = ((_e219 * _e268) - 0.5f);
-                let _e273 = floor(_e271);
-                let _e274 = floor(_e272);
-                let _e275 = (_e271 - _e273);
-                let _e276 = (_e272 - _e274);
-                let _e297 = ((1f - _e275) * (1f - _e276));
-                let _e299 = (_e275 * (1f - _e276));
-                let _e301 = ((1f - _e275) * _e276);
-                let _e302 = (_e275 * _e276);
-                let _e304 = p.member.test;
-                let _e305 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e304);
-                let _e307 = p.member.map_size;
-                local = lt_math_Evsm(_e305.positive_exponent, _e305.negative_exponent, _e305.min_variance);
-                let _e312 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < bitcast<f32>(3472883712u))), 2147483647i, (_e273 > bitcast<f32>(1325400063u))), (_e273 == _e273)), select(0i, select(select(i32(_e274), i32(-2147483648), (_e274 < bitcast<f32>(3472883712u))), 2147483647i, (_e274 > bitcast<f32>(1325400063u))), (_e274 == _e274)), _e307);
-                if (_e312[0] < _e51) {
+            let _e271 = phi_635_;
+            if _e271 {
+                let _e273 = p.member.map_size;
+                let _e274 = f32(_e273);
+                let _e277 = ((_e217 * _e274) - 0.5f);
+                let _e278 = ((_e231 * _e274) - 0.5f);
+                if (_e277 > -8388608f) {
+                    let _e290 = f32(select(0i, select(select(i32(_e277), i32(-2147483648), (_e277 < bitcast<f32>(3472883712u))), 2147483647i, (_e277 > bitcast<f32>(1325400063u))), (_e277 == _e277)));
+                    if (_e290 > _e277) {
+                        phi_671_ = 1f;
+                    } else {
+                        phi_671_ = 0f;
+                    }
+                    let _e293 = phi_671_;
+                    if (_e277 < 8388608f) {
+                        phi_676_ = (_e290 - _e293);
+                        phi_677_ = false;
+                    } else {
+                        phi_676_ = f32();
+                        phi_677_ = true;
+                    }
+                    let _e296 = phi_676_;
+                    let _e298 = phi_677_;
+                    phi_678_ = _e296;
+                    phi_679_ = _e298;
+                } else {
+                    phi_678_ = f32();
+                    phi_679_ = true;
+                }
+                let _e300 = phi_678_;
+                let _e302 = phi_679_;
+                if _e302 {
+                    phi_683_ = _e277;
+                } else {
+                    phi_683_ = _e300;
+                }
+                let _e304 = phi_683_;
+                if (_e278 > -8388608f) {
+                    let _e316 = f32(select(0i, select(select(i32(_e278), i32(-2147483648), (_e278 < bitcast<f32>(3472883712u))), 2147483647i, (_e278 > bitcast<f32>(1325400063u))), (_e278 == _e278)));
+                    if (_e316 > _e278) {
+                        phi_703_ = 1f;
+                    } else {
+                        phi_703_ = 0f;
+                    }
+                    let _e319 = phi_703_;
+                    if (_e278 < 8388608f) {
+                        phi_708_ = (_e316 - _e319);
+                        phi_709_ = false;
+                    } else {
+                        phi_708_ = f32();
+                        phi_709_ = true;
+                    }
+                    let _e322 = phi_708_;
+                    let _e324 = phi_709_;
+                    phi_710_ = _e322;
+                    phi_711_ = _e324;
+                } else {
+                    phi_710_ = f32();
+                    phi_711_ = true;
+                }
+                let _e326 = phi_710_;
+                let _e328 = phi_711_;
+                if _e328 {
+                    phi_715_ = _e278;
+                } else {
+                    phi_715_ = _e326;
+                }
+                let _e330 = phi_715_;
+                let _e331 = (_e277 - _e304);
+                let _e332 = (_e278 - _e330);
+                let _e341 = select(0i, select(select(i32(_e304), i32(-2147483648), (_e304 < bitcast<f32>(3472883712u))), 2147483647i, (_e304 > bitcast<f32>(1325400063u))), (_e304 == _e304));
+                let _e350 = select(0i, select(select(i32(_e330), i32(-2147483648), (_e330 < bitcast<f32>(3472883712u))), 2147483647i, (_e330 > bitcast<f32>(1325400063u))), (_e330 == _e330));
+                let _e353 = ((1f - _e331) * (1f - _e332));
+                let _e355 = (_e331 * (1f - _e332));
+                let _e357 = ((1f - _e331) * _e332);
+                let _e358 = (_e331 * _e332);
+                let _e360 = p.member.test;
+                let _e361 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e360);
+                let _e363 = p.member.map_size;
+                local = lt_math_Evsm(_e361.positive_exponent, _e361.negative_exponent, _e361.min_variance);
+                let _e369 = (bitcast<i32>(_e363) - 1i);
+                if (_e341 > 0i) {
+                    phi_765_ = _e341;
+                } else {
+                    phi_765_ = 0i;
+                }
+                let _e372 = phi_765_;
+                if (_e350 > 0i) {
+                    phi_770_ = _e350;
+                } else {
+                    phi_770_ = 0i;
+                }
+                let _e375 = phi_770_;
+                if (_e372 < _e369) {
+                    phi_775_ = _e372;
+                } else {
+                    phi_775_ = _e369;
+                }
+                let _e378 = phi_775_;
+                if (_e375 < _e369) {
+                    phi_780_ = _e375;
+                } else {
+                    phi_780_ = _e369;
+                }
+                let _e381 = phi_780_;
+                let _e382 = bitcast<u32>(_e378);
+                let _e384 = (_e341 + 1i);
+                let _e385 = (_e350 + 1i);
+                if (_e384 > 0i) {
+                    phi_789_ = _e384;
+                } else {
+                    phi_789_ = 0i;
+                }
+                let _e388 = phi_789_;
+                if (_e385 > 0i) {
+                    phi_794_ = _e385;
+                } else {
+                    phi_794_ = 0i;
+                }
+                let _e391 = phi_794_;
+                if (_e388 < _e369) {
+                    phi_799_ = _e388;
+                } else {
+                    phi_799_ = _e369;
+                }
+                let _e394 = phi_799_;
+                if (_e391 < _e369) {
+                    phi_804_ = _e391;
+                } else {
+                    phi_804_ = _e369;
+                }
+                let _e397 = phi_804_;
+                let _e398 = bitcast<u32>(_e394);
+                let _e400 = (bitcast<u32>(_e381) * _e363);
+                let _e401 = (bitcast<u32>(_e397) * _e363);
+                let _e402 = (_e400 + _e382);
+                let _e403 = (_e400 + _e398);
+                let _e404 = (_e401 + _e382);
+                let _e405 = (_e401 + _e398);
+                if (_e402 < _e54) {
                 } else {
                     return;
                 }
-                let _e317 = map.member[(0u + _e312[0])];
-                if (_e312[1] < _e51) {
+                let _e409 = map.member[(0u + _e402)];
+                if (_e403 < _e54) {
                 } else {
                     return;
                 }
-                let _e330 = map.member[(0u + _e312[1])];
-                if (_e312[2] < _e51) {
+                let _e421 = map.member[(0u + _e403)];
+                if (_e404 < _e54) {
                 } else {
                     return;
                 }
-                let _e347 = map.member[(0u + _e312[2])];
-                if (_e312[3] < _e51) {
+                let _e437 = map.member[(0u + _e404)];
+                if (_e405 < _e54) {
                 } else {
                     return;
                 }
-                let _e364 = map.member[(0u + _e312[3])];
-                let _e378 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e317.x * _e297) + (_e330.x * _e299)) + (_e347.x * _e301)) + (_e364.x * _e302)), ((((_e317.y * _e297) + (_e330.y * _e299)) + (_e347.y * _e301)) + (_e364.y * _e302)), ((((_e317.z * _e297) + (_e330.z * _e299)) + (_e347.z * _e301)) + (_e364.z * _e302)), ((((_e317.w * _e297) + (_e330.w * _e299)) + (_e347.w * _e301)) + (_e364.w * _e302))), _e232);
-                phi_858_ = evaluate_Verdict(_e378, false);
-                phi_859_ = evaluate_Verdict();
-                phi_860_ = false;
+                let _e453 = map.member[(0u + _e405)];
+                let _e467 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e409.x * _e353) + (_e421.x * _e355)) + (_e437.x * _e357)) + (_e453.x * _e358)), ((((_e409.y * _e353) + (_e421.y * _e355)) + (_e437.y * _e357)) + (_e453.y * _e358)), ((((_e409.z * _e353) + (_e421.z * _e355)) + (_e437.z * _e357)) + (_e453.z * _e358)), ((((_e409.w * _e353) + (_e421.w * _e355)) + (_e437.w * _e357)) + (_e453.w * _e358))), _e244);
+                phi_889_ = evaluate_Verdict(_e467, false);
+                phi_890_ = evaluate_Verdict();
+                phi_891_ = false;
             } else {
-                phi_858_ = evaluate_Verdict();
-                phi_859_ = evaluate_Verdict(1f, false);
-                phi_860_ = true;
+                phi_889_ = evaluate_Verdict();
+                phi_890_ = evaluate_Verdict(1f, false);
+                phi_891_ = true;
             }
-            let _e382 = phi_858_;
-            let _e384 = phi_859_;
-            let _e386 = phi_860_;
-            phi_861_ = _e384;
-            phi_862_ = _e382;
-            phi_863_ = _e386;
+            let _e471 = phi_889_;
+            let _e473 = phi_890_;
+            let _e475 = phi_891_;
+            phi_892_ = _e473;
+            phi_893_ = _e471;
+            phi_894_ = _e475;
         }
-        let _e388 = phi_861_;
-        let _e390 = phi_862_;
-        let _e392 = phi_863_;
-        if _e392 {
-            phi_867_ = _e388;
+        let _e477 = phi_892_;
+        let _e479 = phi_893_;
+        let _e481 = phi_894_;
+        if _e481 {
+            phi_898_ = _e477;
         } else {
-            phi_867_ = _e390;
+            phi_898_ = _e479;
         }
-        let _e394 = phi_867_;
-        if (_e60.first_primitive < arrayLength((&visibility.member))) {
+        let _e483 = phi_898_;
+        if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e60.first_primitive)] = _e394.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e483.visibility;
     }
     return;
 }

@@ -18,11 +18,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_24 {
+struct type_22 {
     member: array<abi_Sample>,
 }
 
-struct type_28 {
+struct type_26 {
     member: array<f32>,
 }
 
@@ -44,7 +44,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_36 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -58,57 +58,57 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_43 {
+struct type_42 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_24;
+var<storage> samples: type_22;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_36;
+var<uniform> p: type_35;
 @group(0) @binding(2) 
-var<storage> map: type_28;
+var<storage> map: type_26;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_28;
+var<storage, read_write> visibility: type_26;
 var<private> local_2: u32;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_43;
+var<storage, read_write> list: type_42;
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_155_: lt_bvh_traverse_Tree;
-    var phi_156_: bool;
-    var phi_157_: lt_bvh_traverse_Tree;
-    var phi_158_: bool;
-    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_152_: bool;
+    var phi_153_: lt_bvh_traverse_Tree;
+    var phi_154_: bool;
+    var phi_159_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_155_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_156_ = false;
+            phi_151_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_152_ = false;
         } else {
-            phi_155_ = lt_bvh_traverse_Tree();
-            phi_156_ = true;
+            phi_151_ = lt_bvh_traverse_Tree();
+            phi_152_ = true;
         }
-        let _e59 = phi_155_;
-        let _e61 = phi_156_;
-        phi_157_ = _e59;
-        phi_158_ = _e61;
+        let _e62 = phi_151_;
+        let _e64 = phi_152_;
+        phi_153_ = _e62;
+        phi_154_ = _e64;
     } else {
-        phi_157_ = lt_bvh_traverse_Tree();
-        phi_158_ = true;
+        phi_153_ = lt_bvh_traverse_Tree();
+        phi_154_ = true;
     }
-    let _e63 = phi_157_;
-    let _e65 = phi_158_;
-    if _e65 {
-        phi_163_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e66 = phi_153_;
+    let _e68 = phi_154_;
+    if _e68 {
+        phi_159_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_163_ = _e63;
+        phi_159_ = _e66;
     }
-    let _e70 = phi_163_;
-    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
+    let _e73 = phi_159_;
+    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -116,727 +116,794 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_189_: bool;
-    var phi_193_: f32;
-    var phi_194_: f32;
+    var phi_185_: bool;
+    var phi_189_: f32;
+    var phi_190_: f32;
 
-    let _e47 = (*param_4);
-    if ((bitcast<u32>(_e47) & 2147483647u) > 2139095040u) {
-        phi_194_ = _e47;
+    let _e50 = (*param_4);
+    if ((bitcast<u32>(_e50) & 2147483647u) > 2139095040u) {
+        phi_190_ = _e50;
     } else {
         if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-            phi_189_ = true;
+            phi_185_ = true;
         } else {
-            let _e54 = (84f < _e47);
-            if _e54 {
+            let _e57 = (84f < _e50);
+            if _e57 {
             }
-            phi_189_ = _e54;
+            phi_185_ = _e57;
         }
-        let _e56 = phi_189_;
-        if _e56 {
-            phi_193_ = 84f;
+        let _e59 = phi_185_;
+        if _e59 {
+            phi_189_ = 84f;
         } else {
-            phi_193_ = _e47;
+            phi_189_ = _e50;
         }
-        let _e58 = phi_193_;
-        phi_194_ = _e58;
+        let _e61 = phi_189_;
+        phi_190_ = _e61;
     }
-    let _e60 = phi_194_;
-    return _e60;
+    let _e63 = phi_190_;
+    return _e63;
 }
 
-fn lt_shaders_evaluate_to_light(param_5: vec3<f32>, param_6: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_6.x - (param_5.x * param_6.w)), (param_6.y - (param_5.y * param_6.w)), (param_6.z - (param_5.z * param_6.w)));
-}
-
-fn lt_shaders_evaluate_quad_indices(param_7: i32, param_8: i32, param_9: u32) -> array<u32, 4> {
-    var phi_222_: i32;
-    var phi_227_: i32;
-    var phi_232_: i32;
-    var phi_237_: i32;
-    var phi_246_: i32;
-    var phi_251_: i32;
-    var phi_256_: i32;
-    var phi_261_: i32;
-
-    let _e50 = (bitcast<i32>(param_9) - 1i);
-    if (param_7 > 0i) {
-        phi_222_ = param_7;
-    } else {
-        phi_222_ = 0i;
-    }
-    let _e53 = phi_222_;
-    if (param_8 > 0i) {
-        phi_227_ = param_8;
-    } else {
-        phi_227_ = 0i;
-    }
-    let _e56 = phi_227_;
-    if (_e53 < _e50) {
-        phi_232_ = _e53;
-    } else {
-        phi_232_ = _e50;
-    }
-    let _e59 = phi_232_;
-    if (_e56 < _e50) {
-        phi_237_ = _e56;
-    } else {
-        phi_237_ = _e50;
-    }
-    let _e62 = phi_237_;
-    let _e63 = bitcast<u32>(_e59);
-    let _e65 = (param_7 + 1i);
-    let _e66 = (param_8 + 1i);
-    if (_e65 > 0i) {
-        phi_246_ = _e65;
-    } else {
-        phi_246_ = 0i;
-    }
-    let _e69 = phi_246_;
-    if (_e66 > 0i) {
-        phi_251_ = _e66;
-    } else {
-        phi_251_ = 0i;
-    }
-    let _e72 = phi_251_;
-    if (_e69 < _e50) {
-        phi_256_ = _e69;
-    } else {
-        phi_256_ = _e50;
-    }
-    let _e75 = phi_256_;
-    if (_e72 < _e50) {
-        phi_261_ = _e72;
-    } else {
-        phi_261_ = _e50;
-    }
-    let _e78 = phi_261_;
-    let _e79 = bitcast<u32>(_e75);
-    let _e81 = (bitcast<u32>(_e62) * param_9);
-    let _e82 = (bitcast<u32>(_e78) * param_9);
-    return array<u32, 4>((_e81 + _e63), (_e81 + _e79), (_e82 + _e63), (_e82 + _e79));
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_10: ptr<function, f32>, param_11: vec4<f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
-    var phi_291_: f32;
-    var phi_292_: f32;
-    var phi_293_: f32;
-    var phi_309_: f32;
-    var phi_310_: f32;
-    var phi_311_: f32;
-    var phi_336_: bool;
-    var phi_340_: f32;
-    var phi_341_: f32;
-    var phi_358_: bool;
-    var phi_362_: f32;
-    var phi_363_: f32;
-    var phi_404_: f32;
-    var phi_420_: f32;
-    var phi_421_: f32;
-    var phi_422_: f32;
-    var phi_447_: bool;
-    var phi_451_: f32;
-    var phi_452_: f32;
-    var phi_469_: bool;
-    var phi_473_: f32;
-    var phi_474_: f32;
-    var phi_515_: f32;
-    var phi_531_: f32;
-    var phi_532_: f32;
-    var phi_533_: f32;
-    var phi_558_: bool;
-    var phi_562_: f32;
-    var phi_563_: f32;
-    var phi_580_: bool;
-    var phi_584_: f32;
-    var phi_585_: f32;
-    var phi_626_: f32;
-    var phi_642_: f32;
-    var phi_643_: f32;
-    var phi_644_: f32;
-    var phi_669_: bool;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
+    var phi_211_: f32;
+    var phi_212_: f32;
+    var phi_213_: f32;
+    var phi_229_: f32;
+    var phi_230_: f32;
+    var phi_231_: f32;
+    var phi_244_: f32;
+    var phi_249_: f32;
+    var phi_271_: f32;
+    var phi_276_: f32;
+    var phi_277_: bool;
+    var phi_278_: f32;
+    var phi_279_: bool;
+    var phi_283_: f32;
+    var phi_321_: f32;
+    var phi_337_: f32;
+    var phi_338_: f32;
+    var phi_339_: f32;
+    var phi_352_: f32;
+    var phi_357_: f32;
+    var phi_379_: f32;
+    var phi_384_: f32;
+    var phi_385_: bool;
+    var phi_386_: f32;
+    var phi_387_: bool;
+    var phi_391_: f32;
+    var phi_429_: f32;
+    var phi_445_: f32;
+    var phi_446_: f32;
+    var phi_447_: f32;
+    var phi_460_: f32;
+    var phi_465_: f32;
+    var phi_487_: f32;
+    var phi_492_: f32;
+    var phi_493_: bool;
+    var phi_494_: f32;
+    var phi_495_: bool;
+    var phi_499_: f32;
+    var phi_537_: f32;
+    var phi_553_: f32;
+    var phi_554_: f32;
+    var phi_555_: f32;
+    var phi_568_: f32;
+    var phi_573_: f32;
+    var phi_595_: f32;
+    var phi_600_: f32;
+    var phi_601_: bool;
+    var phi_602_: f32;
+    var phi_603_: bool;
+    var phi_607_: f32;
+    var phi_645_: f32;
+    var phi_671_: f32;
+    var phi_672_: f32;
     var phi_673_: f32;
-    var phi_674_: f32;
-    var phi_691_: bool;
-    var phi_695_: f32;
-    var phi_696_: f32;
-    var phi_737_: f32;
-    var phi_763_: f32;
-    var phi_764_: f32;
-    var phi_765_: f32;
 
-    let _e50 = _lt_math_esm_Esm_clamped_exponent(param_10);
-    if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_293_ = param_13;
+    let _e53 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
+        phi_213_ = param_8;
     } else {
-        if (param_13 < 0f) {
-            phi_292_ = 0f;
+        if (param_8 < 0f) {
+            phi_212_ = 0f;
         } else {
-            if (param_13 > 1f) {
-                phi_291_ = 1f;
+            if (param_8 > 1f) {
+                phi_211_ = 1f;
             } else {
-                phi_291_ = param_13;
+                phi_211_ = param_8;
             }
-            let _e57 = phi_291_;
-            phi_292_ = _e57;
+            let _e60 = phi_211_;
+            phi_212_ = _e60;
         }
-        let _e59 = phi_292_;
-        phi_293_ = _e59;
+        let _e62 = phi_212_;
+        phi_213_ = _e62;
     }
-    let _e61 = phi_293_;
-    if ((bitcast<u32>(param_11.x) & 2147483647u) > 2139095040u) {
-        phi_311_ = param_11.x;
+    let _e64 = phi_213_;
+    if ((bitcast<u32>(param_6.x) & 2147483647u) > 2139095040u) {
+        phi_231_ = param_6.x;
     } else {
-        if (param_11.x < 0f) {
-            phi_310_ = 0f;
+        if (param_6.x < 0f) {
+            phi_230_ = 0f;
         } else {
-            if (param_11.x > 1f) {
-                phi_309_ = 1f;
+            if (param_6.x > 1f) {
+                phi_229_ = 1f;
             } else {
-                phi_309_ = param_11.x;
+                phi_229_ = param_6.x;
             }
-            let _e69 = phi_309_;
-            phi_310_ = _e69;
+            let _e72 = phi_229_;
+            phi_230_ = _e72;
         }
-        let _e71 = phi_310_;
-        phi_311_ = _e71;
+        let _e74 = phi_230_;
+        phi_231_ = _e74;
     }
-    let _e73 = phi_311_;
-    let _e75 = (_e50 * (_e73 - _e61));
-    if ((bitcast<u32>(_e75) & 2147483647u) > 2139095040u) {
-        phi_404_ = _e75;
+    let _e76 = phi_231_;
+    let _e78 = (_e53 * (_e76 - _e64));
+    if ((bitcast<u32>(_e78) & 2147483647u) > 2139095040u) {
+        phi_321_ = _e78;
     } else {
-        if ((bitcast<u32>(_e75) & 2147483647u) > 2139095040u) {
-            phi_341_ = _e75;
+        if (_e78 < -87f) {
+            phi_244_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_336_ = true;
-            } else {
-                let _e85 = (-87f > _e75);
-                if _e85 {
-                }
-                phi_336_ = _e85;
-            }
-            let _e87 = phi_336_;
-            if _e87 {
-                phi_340_ = -87f;
-            } else {
-                phi_340_ = _e75;
-            }
-            let _e89 = phi_340_;
-            phi_341_ = _e89;
+            phi_244_ = _e78;
         }
-        let _e91 = phi_341_;
-        if ((bitcast<u32>(_e91) & 2147483647u) > 2139095040u) {
-            phi_363_ = _e91;
+        let _e84 = phi_244_;
+        if (_e84 > 88f) {
+            phi_249_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_358_ = true;
-            } else {
-                let _e98 = (88f < _e91);
-                if _e98 {
-                }
-                phi_358_ = _e98;
-            }
-            let _e100 = phi_358_;
-            if _e100 {
-                phi_362_ = 88f;
-            } else {
-                phi_362_ = _e91;
-            }
-            let _e102 = phi_362_;
-            phi_363_ = _e102;
+            phi_249_ = _e84;
         }
-        let _e104 = phi_363_;
-        let _e107 = floor(((_e104 * 1.442695f) + 0.5f));
-        let _e111 = ((_e104 - (_e107 * 0.69314575f)) - (_e107 * 0.0000014286068f));
-        phi_404_ = ((((((((((((((((1f / 5040f) * _e111) + (1f / 720f)) * _e111) + (1f / 120f)) * _e111) + (1f / 24f)) * _e111) + (1f / 6f)) * _e111) + 0.5f) * _e111) + 1f) * _e111) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < bitcast<f32>(3472883712u))), 2147483647i, (_e107 > bitcast<f32>(1325400063u))), (_e107 == _e107)) + 127i)) << bitcast<u32>(23i))));
+        let _e87 = phi_249_;
+        let _e89 = ((_e87 * 1.442695f) + 0.5f);
+        if (_e89 > -8388608f) {
+            let _e101 = f32(select(0i, select(select(i32(_e89), i32(-2147483648), (_e89 < bitcast<f32>(3472883712u))), 2147483647i, (_e89 > bitcast<f32>(1325400063u))), (_e89 == _e89)));
+            if (_e101 > _e89) {
+                phi_271_ = 1f;
+            } else {
+                phi_271_ = 0f;
+            }
+            let _e104 = phi_271_;
+            if (_e89 < 8388608f) {
+                phi_276_ = (_e101 - _e104);
+                phi_277_ = false;
+            } else {
+                phi_276_ = f32();
+                phi_277_ = true;
+            }
+            let _e107 = phi_276_;
+            let _e109 = phi_277_;
+            phi_278_ = _e107;
+            phi_279_ = _e109;
+        } else {
+            phi_278_ = f32();
+            phi_279_ = true;
+        }
+        let _e111 = phi_278_;
+        let _e113 = phi_279_;
+        if _e113 {
+            phi_283_ = _e89;
+        } else {
+            phi_283_ = _e111;
+        }
+        let _e115 = phi_283_;
+        let _e119 = ((_e87 - (_e115 * 0.69314575f)) - (_e115 * 0.0000014286068f));
+        phi_321_ = ((((((((((((((((1f / 5040f) * _e119) + (1f / 720f)) * _e119) + (1f / 120f)) * _e119) + (1f / 24f)) * _e119) + (1f / 6f)) * _e119) + 0.5f) * _e119) + 1f) * _e119) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e115), i32(-2147483648), (_e115 < bitcast<f32>(3472883712u))), 2147483647i, (_e115 > bitcast<f32>(1325400063u))), (_e115 == _e115)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e147 = phi_404_;
-    if ((bitcast<u32>(param_11.y) & 2147483647u) > 2139095040u) {
-        phi_422_ = param_11.y;
+    let _e155 = phi_321_;
+    if ((bitcast<u32>(param_6.y) & 2147483647u) > 2139095040u) {
+        phi_339_ = param_6.y;
     } else {
-        if (param_11.y < 0f) {
-            phi_421_ = 0f;
+        if (param_6.y < 0f) {
+            phi_338_ = 0f;
         } else {
-            if (param_11.y > 1f) {
-                phi_420_ = 1f;
+            if (param_6.y > 1f) {
+                phi_337_ = 1f;
             } else {
-                phi_420_ = param_11.y;
+                phi_337_ = param_6.y;
             }
-            let _e155 = phi_420_;
-            phi_421_ = _e155;
+            let _e163 = phi_337_;
+            phi_338_ = _e163;
         }
-        let _e157 = phi_421_;
-        phi_422_ = _e157;
+        let _e165 = phi_338_;
+        phi_339_ = _e165;
     }
-    let _e159 = phi_422_;
-    let _e161 = (_e50 * (_e159 - _e61));
-    if ((bitcast<u32>(_e161) & 2147483647u) > 2139095040u) {
-        phi_515_ = _e161;
+    let _e167 = phi_339_;
+    let _e169 = (_e53 * (_e167 - _e64));
+    if ((bitcast<u32>(_e169) & 2147483647u) > 2139095040u) {
+        phi_429_ = _e169;
     } else {
-        if ((bitcast<u32>(_e161) & 2147483647u) > 2139095040u) {
-            phi_452_ = _e161;
+        if (_e169 < -87f) {
+            phi_352_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_447_ = true;
-            } else {
-                let _e171 = (-87f > _e161);
-                if _e171 {
-                }
-                phi_447_ = _e171;
-            }
-            let _e173 = phi_447_;
-            if _e173 {
-                phi_451_ = -87f;
-            } else {
-                phi_451_ = _e161;
-            }
-            let _e175 = phi_451_;
-            phi_452_ = _e175;
+            phi_352_ = _e169;
         }
-        let _e177 = phi_452_;
-        if ((bitcast<u32>(_e177) & 2147483647u) > 2139095040u) {
-            phi_474_ = _e177;
+        let _e175 = phi_352_;
+        if (_e175 > 88f) {
+            phi_357_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_469_ = true;
-            } else {
-                let _e184 = (88f < _e177);
-                if _e184 {
-                }
-                phi_469_ = _e184;
-            }
-            let _e186 = phi_469_;
-            if _e186 {
-                phi_473_ = 88f;
-            } else {
-                phi_473_ = _e177;
-            }
-            let _e188 = phi_473_;
-            phi_474_ = _e188;
+            phi_357_ = _e175;
         }
-        let _e190 = phi_474_;
-        let _e193 = floor(((_e190 * 1.442695f) + 0.5f));
-        let _e197 = ((_e190 - (_e193 * 0.69314575f)) - (_e193 * 0.0000014286068f));
-        phi_515_ = ((((((((((((((((1f / 5040f) * _e197) + (1f / 720f)) * _e197) + (1f / 120f)) * _e197) + (1f / 24f)) * _e197) + (1f / 6f)) * _e197) + 0.5f) * _e197) + 1f) * _e197) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e193), i32(-2147483648), (_e193 < bitcast<f32>(3472883712u))), 2147483647i, (_e193 > bitcast<f32>(1325400063u))), (_e193 == _e193)) + 127i)) << bitcast<u32>(23i))));
+        let _e178 = phi_357_;
+        let _e180 = ((_e178 * 1.442695f) + 0.5f);
+        if (_e180 > -8388608f) {
+            let _e192 = f32(select(0i, select(select(i32(_e180), i32(-2147483648), (_e180 < bitcast<f32>(3472883712u))), 2147483647i, (_e180 > bitcast<f32>(1325400063u))), (_e180 == _e180)));
+            if (_e192 > _e180) {
+                phi_379_ = 1f;
+            } else {
+                phi_379_ = 0f;
+            }
+            let _e195 = phi_379_;
+            if (_e180 < 8388608f) {
+                phi_384_ = (_e192 - _e195);
+                phi_385_ = false;
+            } else {
+                phi_384_ = f32();
+                phi_385_ = true;
+            }
+            let _e198 = phi_384_;
+            let _e200 = phi_385_;
+            phi_386_ = _e198;
+            phi_387_ = _e200;
+        } else {
+            phi_386_ = f32();
+            phi_387_ = true;
+        }
+        let _e202 = phi_386_;
+        let _e204 = phi_387_;
+        if _e204 {
+            phi_391_ = _e180;
+        } else {
+            phi_391_ = _e202;
+        }
+        let _e206 = phi_391_;
+        let _e210 = ((_e178 - (_e206 * 0.69314575f)) - (_e206 * 0.0000014286068f));
+        phi_429_ = ((((((((((((((((1f / 5040f) * _e210) + (1f / 720f)) * _e210) + (1f / 120f)) * _e210) + (1f / 24f)) * _e210) + (1f / 6f)) * _e210) + 0.5f) * _e210) + 1f) * _e210) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e206), i32(-2147483648), (_e206 < bitcast<f32>(3472883712u))), 2147483647i, (_e206 > bitcast<f32>(1325400063u))), (_e206 == _e206)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e233 = phi_515_;
-    if ((bitcast<u32>(param_11.z) & 2147483647u) > 2139095040u) {
-        phi_533_ = param_11.z;
+    let _e246 = phi_429_;
+    if ((bitcast<u32>(param_6.z) & 2147483647u) > 2139095040u) {
+        phi_447_ = param_6.z;
     } else {
-        if (param_11.z < 0f) {
-            phi_532_ = 0f;
+        if (param_6.z < 0f) {
+            phi_446_ = 0f;
         } else {
-            if (param_11.z > 1f) {
-                phi_531_ = 1f;
+            if (param_6.z > 1f) {
+                phi_445_ = 1f;
             } else {
-                phi_531_ = param_11.z;
+                phi_445_ = param_6.z;
             }
-            let _e241 = phi_531_;
-            phi_532_ = _e241;
+            let _e254 = phi_445_;
+            phi_446_ = _e254;
         }
-        let _e243 = phi_532_;
-        phi_533_ = _e243;
+        let _e256 = phi_446_;
+        phi_447_ = _e256;
     }
-    let _e245 = phi_533_;
-    let _e247 = (_e50 * (_e245 - _e61));
-    if ((bitcast<u32>(_e247) & 2147483647u) > 2139095040u) {
-        phi_626_ = _e247;
+    let _e258 = phi_447_;
+    let _e260 = (_e53 * (_e258 - _e64));
+    if ((bitcast<u32>(_e260) & 2147483647u) > 2139095040u) {
+        phi_537_ = _e260;
     } else {
-        if ((bitcast<u32>(_e247) & 2147483647u) > 2139095040u) {
-            phi_563_ = _e247;
+        if (_e260 < -87f) {
+            phi_460_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_558_ = true;
-            } else {
-                let _e257 = (-87f > _e247);
-                if _e257 {
-                }
-                phi_558_ = _e257;
-            }
-            let _e259 = phi_558_;
-            if _e259 {
-                phi_562_ = -87f;
-            } else {
-                phi_562_ = _e247;
-            }
-            let _e261 = phi_562_;
-            phi_563_ = _e261;
+            phi_460_ = _e260;
         }
-        let _e263 = phi_563_;
-        if ((bitcast<u32>(_e263) & 2147483647u) > 2139095040u) {
-            phi_585_ = _e263;
+        let _e266 = phi_460_;
+        if (_e266 > 88f) {
+            phi_465_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_580_ = true;
-            } else {
-                let _e270 = (88f < _e263);
-                if _e270 {
-                }
-                phi_580_ = _e270;
-            }
-            let _e272 = phi_580_;
-            if _e272 {
-                phi_584_ = 88f;
-            } else {
-                phi_584_ = _e263;
-            }
-            let _e274 = phi_584_;
-            phi_585_ = _e274;
+            phi_465_ = _e266;
         }
-        let _e276 = phi_585_;
-        let _e279 = floor(((_e276 * 1.442695f) + 0.5f));
-        let _e283 = ((_e276 - (_e279 * 0.69314575f)) - (_e279 * 0.0000014286068f));
-        phi_626_ = ((((((((((((((((1f / 5040f) * _e283) + (1f / 720f)) * _e283) + (1f / 120f)) * _e283) + (1f / 24f)) * _e283) + (1f / 6f)) * _e283) + 0.5f) * _e283) + 1f) * _e283) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e279), i32(-2147483648), (_e279 < bitcast<f32>(3472883712u))), 2147483647i, (_e279 > bitcast<f32>(1325400063u))), (_e279 == _e279)) + 127i)) << bitcast<u32>(23i))));
+        let _e269 = phi_465_;
+        let _e271 = ((_e269 * 1.442695f) + 0.5f);
+        if (_e271 > -8388608f) {
+            let _e283 = f32(select(0i, select(select(i32(_e271), i32(-2147483648), (_e271 < bitcast<f32>(3472883712u))), 2147483647i, (_e271 > bitcast<f32>(1325400063u))), (_e271 == _e271)));
+            if (_e283 > _e271) {
+                phi_487_ = 1f;
+            } else {
+                phi_487_ = 0f;
+            }
+            let _e286 = phi_487_;
+            if (_e271 < 8388608f) {
+                phi_492_ = (_e283 - _e286);
+                phi_493_ = false;
+            } else {
+                phi_492_ = f32();
+                phi_493_ = true;
+            }
+            let _e289 = phi_492_;
+            let _e291 = phi_493_;
+            phi_494_ = _e289;
+            phi_495_ = _e291;
+        } else {
+            phi_494_ = f32();
+            phi_495_ = true;
+        }
+        let _e293 = phi_494_;
+        let _e295 = phi_495_;
+        if _e295 {
+            phi_499_ = _e271;
+        } else {
+            phi_499_ = _e293;
+        }
+        let _e297 = phi_499_;
+        let _e301 = ((_e269 - (_e297 * 0.69314575f)) - (_e297 * 0.0000014286068f));
+        phi_537_ = ((((((((((((((((1f / 5040f) * _e301) + (1f / 720f)) * _e301) + (1f / 120f)) * _e301) + (1f / 24f)) * _e301) + (1f / 6f)) * _e301) + 0.5f) * _e301) + 1f) * _e301) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e297), i32(-2147483648), (_e297 < bitcast<f32>(3472883712u))), 2147483647i, (_e297 > bitcast<f32>(1325400063u))), (_e297 == _e297)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e319 = phi_626_;
-    if ((bitcast<u32>(param_11.w) & 2147483647u) > 2139095040u) {
-        phi_644_ = param_11.w;
+    let _e337 = phi_537_;
+    if ((bitcast<u32>(param_6.w) & 2147483647u) > 2139095040u) {
+        phi_555_ = param_6.w;
     } else {
-        if (param_11.w < 0f) {
-            phi_643_ = 0f;
+        if (param_6.w < 0f) {
+            phi_554_ = 0f;
         } else {
-            if (param_11.w > 1f) {
-                phi_642_ = 1f;
+            if (param_6.w > 1f) {
+                phi_553_ = 1f;
             } else {
-                phi_642_ = param_11.w;
+                phi_553_ = param_6.w;
             }
-            let _e327 = phi_642_;
-            phi_643_ = _e327;
+            let _e345 = phi_553_;
+            phi_554_ = _e345;
         }
-        let _e329 = phi_643_;
-        phi_644_ = _e329;
+        let _e347 = phi_554_;
+        phi_555_ = _e347;
     }
-    let _e331 = phi_644_;
-    let _e333 = (_e50 * (_e331 - _e61));
-    if ((bitcast<u32>(_e333) & 2147483647u) > 2139095040u) {
-        phi_737_ = _e333;
+    let _e349 = phi_555_;
+    let _e351 = (_e53 * (_e349 - _e64));
+    if ((bitcast<u32>(_e351) & 2147483647u) > 2139095040u) {
+        phi_645_ = _e351;
     } else {
-        if ((bitcast<u32>(_e333) & 2147483647u) > 2139095040u) {
-            phi_674_ = _e333;
+        if (_e351 < -87f) {
+            phi_568_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_669_ = true;
-            } else {
-                let _e343 = (-87f > _e333);
-                if _e343 {
-                }
-                phi_669_ = _e343;
-            }
-            let _e345 = phi_669_;
-            if _e345 {
-                phi_673_ = -87f;
-            } else {
-                phi_673_ = _e333;
-            }
-            let _e347 = phi_673_;
-            phi_674_ = _e347;
+            phi_568_ = _e351;
         }
-        let _e349 = phi_674_;
-        if ((bitcast<u32>(_e349) & 2147483647u) > 2139095040u) {
-            phi_696_ = _e349;
+        let _e357 = phi_568_;
+        if (_e357 > 88f) {
+            phi_573_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_691_ = true;
-            } else {
-                let _e356 = (88f < _e349);
-                if _e356 {
-                }
-                phi_691_ = _e356;
-            }
-            let _e358 = phi_691_;
-            if _e358 {
-                phi_695_ = 88f;
-            } else {
-                phi_695_ = _e349;
-            }
-            let _e360 = phi_695_;
-            phi_696_ = _e360;
+            phi_573_ = _e357;
         }
-        let _e362 = phi_696_;
-        let _e365 = floor(((_e362 * 1.442695f) + 0.5f));
-        let _e369 = ((_e362 - (_e365 * 0.69314575f)) - (_e365 * 0.0000014286068f));
-        phi_737_ = ((((((((((((((((1f / 5040f) * _e369) + (1f / 720f)) * _e369) + (1f / 120f)) * _e369) + (1f / 24f)) * _e369) + (1f / 6f)) * _e369) + 0.5f) * _e369) + 1f) * _e369) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)) + 127i)) << bitcast<u32>(23i))));
+        let _e360 = phi_573_;
+        let _e362 = ((_e360 * 1.442695f) + 0.5f);
+        if (_e362 > -8388608f) {
+            let _e374 = f32(select(0i, select(select(i32(_e362), i32(-2147483648), (_e362 < bitcast<f32>(3472883712u))), 2147483647i, (_e362 > bitcast<f32>(1325400063u))), (_e362 == _e362)));
+            if (_e374 > _e362) {
+                phi_595_ = 1f;
+            } else {
+                phi_595_ = 0f;
+            }
+            let _e377 = phi_595_;
+            if (_e362 < 8388608f) {
+                phi_600_ = (_e374 - _e377);
+                phi_601_ = false;
+            } else {
+                phi_600_ = f32();
+                phi_601_ = true;
+            }
+            let _e380 = phi_600_;
+            let _e382 = phi_601_;
+            phi_602_ = _e380;
+            phi_603_ = _e382;
+        } else {
+            phi_602_ = f32();
+            phi_603_ = true;
+        }
+        let _e384 = phi_602_;
+        let _e386 = phi_603_;
+        if _e386 {
+            phi_607_ = _e362;
+        } else {
+            phi_607_ = _e384;
+        }
+        let _e388 = phi_607_;
+        let _e392 = ((_e360 - (_e388 * 0.69314575f)) - (_e388 * 0.0000014286068f));
+        phi_645_ = ((((((((((((((((1f / 5040f) * _e392) + (1f / 720f)) * _e392) + (1f / 120f)) * _e392) + (1f / 24f)) * _e392) + (1f / 6f)) * _e392) + 0.5f) * _e392) + 1f) * _e392) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e388), i32(-2147483648), (_e388 < bitcast<f32>(3472883712u))), 2147483647i, (_e388 > bitcast<f32>(1325400063u))), (_e388 == _e388)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e405 = phi_737_;
-    let _e416 = ((((_e147 * param_12.x) + (_e233 * param_12.y)) + (_e319 * param_12.z)) + (_e405 * param_12.w));
-    if ((bitcast<u32>(_e416) & 2147483647u) > 2139095040u) {
-        phi_765_ = _e416;
+    let _e428 = phi_645_;
+    let _e439 = ((((_e155 * param_7.x) + (_e246 * param_7.y)) + (_e337 * param_7.z)) + (_e428 * param_7.w));
+    if ((bitcast<u32>(_e439) & 2147483647u) > 2139095040u) {
+        phi_673_ = _e439;
     } else {
-        if (_e416 < 0f) {
-            phi_764_ = 0f;
+        if (_e439 < 0f) {
+            phi_672_ = 0f;
         } else {
-            if (_e416 > 1f) {
-                phi_763_ = 1f;
+            if (_e439 > 1f) {
+                phi_671_ = 1f;
             } else {
-                phi_763_ = _e416;
+                phi_671_ = _e439;
             }
-            let _e423 = phi_763_;
-            phi_764_ = _e423;
+            let _e446 = phi_671_;
+            phi_672_ = _e446;
         }
-        let _e425 = phi_764_;
-        phi_765_ = _e425;
+        let _e448 = phi_672_;
+        phi_673_ = _e448;
     }
-    let _e427 = phi_765_;
-    return _e427;
+    let _e450 = phi_673_;
+    return _e450;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_826_: bool;
-    var phi_861_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_865_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_958_: bool;
-    var phi_959_: bool;
-    var phi_960_: bool;
+    var phi_727_: bool;
+    var phi_728_: bool;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_734_: bool;
+    var phi_778_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_782_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_859_: bool;
+    var phi_868_: bool;
+    var phi_877_: bool;
+    var phi_878_: bool;
+    var phi_879_: bool;
+    var phi_880_: bool;
+    var phi_881_: bool;
+    var phi_882_: bool;
+    var phi_883_: bool;
+    var phi_887_: bool;
+    var phi_923_: f32;
+    var phi_928_: f32;
+    var phi_929_: bool;
+    var phi_930_: f32;
+    var phi_931_: bool;
+    var phi_935_: f32;
+    var phi_955_: f32;
+    var phi_960_: f32;
     var phi_961_: bool;
-    var phi_962_: bool;
+    var phi_962_: f32;
     var phi_963_: bool;
-    var phi_964_: bool;
-    var phi_965_: bool;
-    var phi_966_: bool;
-    var phi_967_: bool;
-    var phi_968_: bool;
-    var phi_969_: bool;
-    var phi_973_: bool;
-    var phi_1074_: bool;
-    var phi_1082_: bool;
-    var phi_1087_: f32;
-    var phi_1090_: evaluate_Verdict;
-    var phi_1091_: evaluate_Verdict;
-    var phi_1095_: bool;
-    var phi_1096_: u32;
-    var phi_1102_: u32;
+    var phi_967_: f32;
+    var phi_1013_: i32;
+    var phi_1018_: i32;
+    var phi_1023_: i32;
+    var phi_1028_: i32;
+    var phi_1037_: i32;
+    var phi_1042_: i32;
+    var phi_1047_: i32;
+    var phi_1052_: i32;
+    var phi_1099_: bool;
+    var phi_1107_: bool;
+    var phi_1112_: f32;
+    var phi_1115_: evaluate_Verdict;
+    var phi_1116_: evaluate_Verdict;
+    var phi_1120_: bool;
+    var phi_1121_: u32;
+    var phi_1127_: u32;
 
-    let _e47 = id_1;
-    let _e48 = local_2;
-    let _e53 = arrayLength((&map.member));
-    if (_e48 == 0u) {
+    let _e50 = id_1;
+    let _e51 = local_2;
+    let _e56 = arrayLength((&map.member));
+    if (_e51 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e60 = p.member.size[0u];
-    let _e62 = p.member.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        let _e70 = p.member.light;
-        let _e73 = samples.member[_e63.first_primitive].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[_e63.first_primitive].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[_e63.first_primitive].normal[2u];
-                let _e85 = global[2u];
-                phi_819_ = (_e83 == _e85);
-                phi_820_ = false;
+    let _e63 = p.member.size[0u];
+    let _e65 = p.member.size[1u];
+    let _e66 = lt_shaders_entry_pixel_index(_e50, _e63, _e65);
+    if (bitcast<i32>(_e66.root) != 0i) {
+        let _e73 = p.member.light;
+        let _e76 = samples.member[_e66.first_primitive].normal[0u];
+        let _e78 = global[0u];
+        if (_e76 == _e78) {
+            let _e81 = samples.member[_e66.first_primitive].normal[1u];
+            let _e83 = global[1u];
+            if (_e81 == _e83) {
+                let _e86 = samples.member[_e66.first_primitive].normal[2u];
+                let _e88 = global[2u];
+                phi_727_ = (_e86 == _e88);
+                phi_728_ = false;
             } else {
-                phi_819_ = bool();
-                phi_820_ = true;
+                phi_727_ = bool();
+                phi_728_ = true;
             }
-            let _e88 = phi_819_;
-            let _e90 = phi_820_;
-            phi_821_ = _e88;
-            phi_822_ = _e90;
+            let _e91 = phi_727_;
+            let _e93 = phi_728_;
+            phi_729_ = _e91;
+            phi_730_ = _e93;
         } else {
-            phi_821_ = bool();
-            phi_822_ = true;
+            phi_729_ = bool();
+            phi_730_ = true;
         }
-        let _e92 = phi_821_;
-        let _e94 = phi_822_;
-        if _e94 {
-            phi_826_ = false;
+        let _e95 = phi_729_;
+        let _e97 = phi_730_;
+        if _e97 {
+            phi_734_ = false;
         } else {
-            phi_826_ = _e92;
+            phi_734_ = _e95;
         }
-        let _e96 = phi_826_;
-        if !(_e96) {
-            let _e99 = samples.member[_e63.first_primitive].normal;
-            let _e101 = samples.member[_e63.first_primitive].position;
-            let _e102 = lt_shaders_evaluate_to_light(_e101, _e70);
-            if ((((_e99.x * _e102.x) + (_e99.y * _e102.y)) + (_e99.z * _e102.z)) > 0f) {
-                let _e116 = samples.member[_e63.first_primitive].flags;
-                let _e124 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e130 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e124.unnamed.visibility, false), _e124.unnamed_1);
-                phi_861_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, ((_e116 & 1u) == 0u));
+        let _e99 = phi_734_;
+        if !(_e99) {
+            let _e102 = samples.member[_e66.first_primitive].normal;
+            let _e104 = samples.member[_e66.first_primitive].position;
+            if ((((_e102.x * (_e73.x - (_e104.x * _e73.w))) + (_e102.y * (_e73.y - (_e104.y * _e73.w)))) + (_e102.z * (_e73.z - (_e104.z * _e73.w)))) > 0f) {
+                let _e128 = samples.member[_e66.first_primitive].flags;
+                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
+                phi_778_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
             } else {
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
-                phi_861_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, true);
+                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
+                phi_778_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
             }
-            let _e150 = phi_861_;
-            phi_865_ = _e150;
+            let _e162 = phi_778_;
+            phi_782_ = _e162;
         } else {
-            let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
-            phi_865_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
+            let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+            phi_782_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
         }
-        let _e167 = phi_865_;
-        if _e167.unnamed_1 {
-            phi_1091_ = evaluate_Verdict(_e167.unnamed.visibility, _e167.unnamed.is_doubted);
+        let _e179 = phi_782_;
+        if _e179.unnamed_1 {
+            phi_1116_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
         } else {
-            let _e175 = samples.member[_e63.first_primitive].position;
-            let _e181 = p.member.projection.row_w;
-            let _e192 = ((((_e181.x * _e175.x) + (_e181.y * _e175.y)) + (_e181.z * _e175.z)) + (_e181.w * 1f));
-            let _e194 = p.member.projection.row_x;
-            let _e206 = (((((_e194.x * _e175.x) + (_e194.y * _e175.y)) + (_e194.z * _e175.z)) + (_e194.w * 1f)) / _e192);
-            let _e208 = p.member.projection.row_y;
-            let _e220 = (((((_e208.x * _e175.x) + (_e208.y * _e175.y)) + (_e208.z * _e175.z)) + (_e208.w * 1f)) / _e192);
-            let _e222 = p.member.projection.row_z;
-            let _e233 = ((((_e222.x * _e175.x) + (_e222.y * _e175.y)) + (_e222.z * _e175.z)) + (_e222.w * 1f));
-            if (_e192 > 0f) {
-                if (_e206 >= 0f) {
-                    if (_e206 <= 1f) {
-                        if (_e220 >= 0f) {
-                            if (_e220 <= 1f) {
-                                if (_e233 >= 0f) {
-                                    phi_958_ = (_e233 <= 1f);
-                                    phi_959_ = false;
-                                } else {
-                                    phi_958_ = bool();
-                                    phi_959_ = true;
-                                }
-                                let _e242 = phi_958_;
-                                let _e244 = phi_959_;
-                                phi_960_ = _e242;
-                                phi_961_ = _e244;
-                            } else {
-                                phi_960_ = bool();
-                                phi_961_ = true;
-                            }
-                            let _e246 = phi_960_;
-                            let _e248 = phi_961_;
-                            phi_962_ = _e246;
-                            phi_963_ = _e248;
-                        } else {
-                            phi_962_ = bool();
-                            phi_963_ = true;
-                        }
-                        let _e250 = phi_962_;
-                        let _e252 = phi_963_;
-                        phi_964_ = _e250;
-                        phi_965_ = _e252;
+            let _e187 = samples.member[_e66.first_primitive].position;
+            let _e193 = p.member.projection.row_w;
+            let _e204 = ((((_e193.x * _e187.x) + (_e193.y * _e187.y)) + (_e193.z * _e187.z)) + (_e193.w * 1f));
+            let _e206 = p.member.projection.row_x;
+            let _e218 = (((((_e206.x * _e187.x) + (_e206.y * _e187.y)) + (_e206.z * _e187.z)) + (_e206.w * 1f)) / _e204);
+            let _e220 = p.member.projection.row_y;
+            let _e232 = (((((_e220.x * _e187.x) + (_e220.y * _e187.y)) + (_e220.z * _e187.z)) + (_e220.w * 1f)) / _e204);
+            let _e234 = p.member.projection.row_z;
+            let _e245 = ((((_e234.x * _e187.x) + (_e234.y * _e187.y)) + (_e234.z * _e187.z)) + (_e234.w * 1f));
+            if (_e204 > 0f) {
+                if (_e218 >= 0f) {
+                    phi_859_ = (_e218 <= 1f);
+                } else {
+                    phi_859_ = false;
+                }
+                let _e250 = phi_859_;
+                if _e250 {
+                    if (_e232 >= 0f) {
+                        phi_868_ = (_e232 <= 1f);
                     } else {
-                        phi_964_ = bool();
-                        phi_965_ = true;
+                        phi_868_ = false;
                     }
-                    let _e254 = phi_964_;
-                    let _e256 = phi_965_;
-                    phi_966_ = _e254;
-                    phi_967_ = _e256;
+                    let _e254 = phi_868_;
+                    if _e254 {
+                        if (_e245 >= 0f) {
+                            phi_877_ = (_e245 <= 1f);
+                        } else {
+                            phi_877_ = false;
+                        }
+                        let _e258 = phi_877_;
+                        phi_878_ = _e258;
+                        phi_879_ = false;
+                    } else {
+                        phi_878_ = bool();
+                        phi_879_ = true;
+                    }
+                    let _e260 = phi_878_;
+                    let _e262 = phi_879_;
+                    phi_880_ = _e260;
+                    phi_881_ = _e262;
                 } else {
-                    phi_966_ = bool();
-                    phi_967_ = true;
+                    phi_880_ = bool();
+                    phi_881_ = true;
                 }
-                let _e258 = phi_966_;
-                let _e260 = phi_967_;
-                phi_968_ = _e258;
-                phi_969_ = _e260;
+                let _e264 = phi_880_;
+                let _e266 = phi_881_;
+                phi_882_ = _e264;
+                phi_883_ = _e266;
             } else {
-                phi_968_ = bool();
-                phi_969_ = true;
+                phi_882_ = bool();
+                phi_883_ = true;
             }
-            let _e262 = phi_968_;
-            let _e264 = phi_969_;
-            if _e264 {
-                phi_973_ = false;
+            let _e268 = phi_882_;
+            let _e270 = phi_883_;
+            if _e270 {
+                phi_887_ = false;
             } else {
-                phi_973_ = _e262;
+                phi_887_ = _e268;
             }
-            let _e266 = phi_973_;
-            if _e266 {
-                let _e268 = p.member.map_size;
-                let _e269 = f32(_e268);
-                let _e272 = ((_e206 * _e269) - 0.5f);
-                let _e273 = ((_e220 * _e269) - 0.5f);
-                let _e274 = floor(_e272);
-                let _e275 = floor(_e273);
-                let _e276 = (_e272 - _e274);
-                let _e277 = (_e273 - _e275);
-                let _e306 = p.member.test;
-                let _e307 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e306);
-                let _e309 = p.member.map_size;
-                local_1 = _e307;
-                let _e310 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e274), i32(-2147483648), (_e274 < bitcast<f32>(3472883712u))), 2147483647i, (_e274 > bitcast<f32>(1325400063u))), (_e274 == _e274)), select(0i, select(select(i32(_e275), i32(-2147483648), (_e275 < bitcast<f32>(3472883712u))), 2147483647i, (_e275 > bitcast<f32>(1325400063u))), (_e275 == _e275)), _e309);
-                if (_e310[0] < _e53) {
+            let _e272 = phi_887_;
+            if _e272 {
+                let _e274 = p.member.map_size;
+                let _e275 = f32(_e274);
+                let _e278 = ((_e218 * _e275) - 0.5f);
+                let _e279 = ((_e232 * _e275) - 0.5f);
+                if (_e278 > -8388608f) {
+                    let _e291 = f32(select(0i, select(select(i32(_e278), i32(-2147483648), (_e278 < bitcast<f32>(3472883712u))), 2147483647i, (_e278 > bitcast<f32>(1325400063u))), (_e278 == _e278)));
+                    if (_e291 > _e278) {
+                        phi_923_ = 1f;
+                    } else {
+                        phi_923_ = 0f;
+                    }
+                    let _e294 = phi_923_;
+                    if (_e278 < 8388608f) {
+                        phi_928_ = (_e291 - _e294);
+                        phi_929_ = false;
+                    } else {
+                        phi_928_ = f32();
+                        phi_929_ = true;
+                    }
+                    let _e297 = phi_928_;
+                    let _e299 = phi_929_;
+                    phi_930_ = _e297;
+                    phi_931_ = _e299;
+                } else {
+                    phi_930_ = f32();
+                    phi_931_ = true;
+                }
+                let _e301 = phi_930_;
+                let _e303 = phi_931_;
+                if _e303 {
+                    phi_935_ = _e278;
+                } else {
+                    phi_935_ = _e301;
+                }
+                let _e305 = phi_935_;
+                if (_e279 > -8388608f) {
+                    let _e317 = f32(select(0i, select(select(i32(_e279), i32(-2147483648), (_e279 < bitcast<f32>(3472883712u))), 2147483647i, (_e279 > bitcast<f32>(1325400063u))), (_e279 == _e279)));
+                    if (_e317 > _e279) {
+                        phi_955_ = 1f;
+                    } else {
+                        phi_955_ = 0f;
+                    }
+                    let _e320 = phi_955_;
+                    if (_e279 < 8388608f) {
+                        phi_960_ = (_e317 - _e320);
+                        phi_961_ = false;
+                    } else {
+                        phi_960_ = f32();
+                        phi_961_ = true;
+                    }
+                    let _e323 = phi_960_;
+                    let _e325 = phi_961_;
+                    phi_962_ = _e323;
+                    phi_963_ = _e325;
+                } else {
+                    phi_962_ = f32();
+                    phi_963_ = true;
+                }
+                let _e327 = phi_962_;
+                let _e329 = phi_963_;
+                if _e329 {
+                    phi_967_ = _e279;
+                } else {
+                    phi_967_ = _e327;
+                }
+                let _e331 = phi_967_;
+                let _e332 = (_e278 - _e305);
+                let _e333 = (_e279 - _e331);
+                let _e342 = select(0i, select(select(i32(_e305), i32(-2147483648), (_e305 < bitcast<f32>(3472883712u))), 2147483647i, (_e305 > bitcast<f32>(1325400063u))), (_e305 == _e305));
+                let _e351 = select(0i, select(select(i32(_e331), i32(-2147483648), (_e331 < bitcast<f32>(3472883712u))), 2147483647i, (_e331 > bitcast<f32>(1325400063u))), (_e331 == _e331));
+                let _e362 = p.member.test;
+                let _e363 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e362);
+                let _e365 = p.member.map_size;
+                local_1 = _e363;
+                let _e367 = (bitcast<i32>(_e365) - 1i);
+                if (_e342 > 0i) {
+                    phi_1013_ = _e342;
+                } else {
+                    phi_1013_ = 0i;
+                }
+                let _e370 = phi_1013_;
+                if (_e351 > 0i) {
+                    phi_1018_ = _e351;
+                } else {
+                    phi_1018_ = 0i;
+                }
+                let _e373 = phi_1018_;
+                if (_e370 < _e367) {
+                    phi_1023_ = _e370;
+                } else {
+                    phi_1023_ = _e367;
+                }
+                let _e376 = phi_1023_;
+                if (_e373 < _e367) {
+                    phi_1028_ = _e373;
+                } else {
+                    phi_1028_ = _e367;
+                }
+                let _e379 = phi_1028_;
+                let _e380 = bitcast<u32>(_e376);
+                let _e382 = (_e342 + 1i);
+                let _e383 = (_e351 + 1i);
+                if (_e382 > 0i) {
+                    phi_1037_ = _e382;
+                } else {
+                    phi_1037_ = 0i;
+                }
+                let _e386 = phi_1037_;
+                if (_e383 > 0i) {
+                    phi_1042_ = _e383;
+                } else {
+                    phi_1042_ = 0i;
+                }
+                let _e389 = phi_1042_;
+                if (_e386 < _e367) {
+                    phi_1047_ = _e386;
+                } else {
+                    phi_1047_ = _e367;
+                }
+                let _e392 = phi_1047_;
+                if (_e389 < _e367) {
+                    phi_1052_ = _e389;
+                } else {
+                    phi_1052_ = _e367;
+                }
+                let _e395 = phi_1052_;
+                let _e396 = bitcast<u32>(_e392);
+                let _e398 = (bitcast<u32>(_e379) * _e365);
+                let _e399 = (bitcast<u32>(_e395) * _e365);
+                let _e400 = (_e398 + _e380);
+                let _e401 = (_e398 + _e396);
+                let _e402 = (_e399 + _e380);
+                let _e403 = (_e399 + _e396);
+                if (_e400 < _e56) {
                 } else {
                     return;
                 }
-                let _e315 = map.member[(0u + _e310[0])];
-                if (_e310[1] < _e53) {
+                let _e407 = map.member[(0u + _e400)];
+                if (_e401 < _e56) {
                 } else {
                     return;
                 }
-                let _e320 = map.member[(0u + _e310[1])];
-                if (_e310[2] < _e53) {
+                let _e411 = map.member[(0u + _e401)];
+                if (_e402 < _e56) {
                 } else {
                     return;
                 }
-                let _e325 = map.member[(0u + _e310[2])];
-                if (_e310[3] < _e53) {
+                let _e415 = map.member[(0u + _e402)];
+                if (_e403 < _e56) {
                 } else {
                     return;
                 }
-                let _e330 = map.member[(0u + _e310[3])];
-                let _e332 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e315, _e320, _e325, _e330), vec4<f32>(((1f - _e276) * (1f - _e277)), (_e276 * (1f - _e277)), ((1f - _e276) * _e277), (_e276 * _e277)), _e233);
-                let _e334 = p.member.epsilon;
-                if (_e332 <= _e334) {
-                    phi_1074_ = true;
+                let _e419 = map.member[(0u + _e403)];
+                let _e421 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e407, _e411, _e415, _e419), vec4<f32>(((1f - _e332) * (1f - _e333)), (_e332 * (1f - _e333)), ((1f - _e332) * _e333), (_e332 * _e333)), _e245);
+                let _e423 = p.member.epsilon;
+                if (_e421 <= _e423) {
+                    phi_1099_ = true;
                 } else {
-                    phi_1074_ = (_e332 >= (1f - _e334));
+                    phi_1099_ = (_e421 >= (1f - _e423));
                 }
-                let _e339 = phi_1074_;
-                if ((bitcast<u32>(_e332) & 2147483647u) > 2139095040u) {
-                    phi_1082_ = true;
+                let _e428 = phi_1099_;
+                if ((bitcast<u32>(_e421) & 2147483647u) > 2139095040u) {
+                    phi_1107_ = true;
                 } else {
-                    phi_1082_ = !(_e339);
+                    phi_1107_ = !(_e428);
                 }
-                let _e345 = phi_1082_;
-                if (_e332 > 0.5f) {
-                    phi_1087_ = 1f;
+                let _e434 = phi_1107_;
+                if (_e421 > 0.5f) {
+                    phi_1112_ = 1f;
                 } else {
-                    phi_1087_ = 0f;
+                    phi_1112_ = 0f;
                 }
-                let _e348 = phi_1087_;
-                phi_1090_ = evaluate_Verdict(_e348, _e345);
+                let _e437 = phi_1112_;
+                phi_1115_ = evaluate_Verdict(_e437, _e434);
             } else {
-                phi_1090_ = evaluate_Verdict(1f, true);
+                phi_1115_ = evaluate_Verdict(1f, true);
             }
-            let _e352 = phi_1090_;
-            phi_1091_ = _e352;
+            let _e441 = phi_1115_;
+            phi_1116_ = _e441;
         }
-        let _e354 = phi_1091_;
-        visibility.member[_e63.first_primitive] = _e354.visibility;
-        phi_1095_ = _e354.is_doubted;
-        phi_1096_ = _e63.first_primitive;
+        let _e443 = phi_1116_;
+        visibility.member[_e66.first_primitive] = _e443.visibility;
+        phi_1120_ = _e443.is_doubted;
+        phi_1121_ = _e66.first_primitive;
     } else {
-        phi_1095_ = false;
-        phi_1096_ = 0u;
+        phi_1120_ = false;
+        phi_1121_ = 0u;
     }
-    let _e359 = phi_1095_;
-    let _e361 = phi_1096_;
-    if _e359 {
-        let _e363 = atomicAdd((&shared_[0u]), 1u);
-        phi_1102_ = _e363;
+    let _e448 = phi_1120_;
+    let _e450 = phi_1121_;
+    if _e448 {
+        let _e452 = atomicAdd((&shared_[0u]), 1u);
+        phi_1127_ = _e452;
     } else {
-        phi_1102_ = 0u;
+        phi_1127_ = 0u;
     }
-    let _e365 = phi_1102_;
+    let _e454 = phi_1127_;
     workgroupBarrier();
-    if (_e48 == 0u) {
-        let _e369 = atomicLoad((&shared_[0u]));
-        let _e370 = atomicAdd((&list.member[3u]), _e369);
-        atomicStore((&shared_[1u]), _e370);
+    if (_e51 == 0u) {
+        let _e458 = atomicLoad((&shared_[0u]));
+        let _e459 = atomicAdd((&list.member[3u]), _e458);
+        atomicStore((&shared_[1u]), _e459);
     }
     workgroupBarrier();
-    if _e359 {
-        let _e373 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e373) + _e365)]), _e361);
+    if _e448 {
+        let _e462 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e462) + _e454)]), _e450);
     }
     return;
 }

@@ -18,11 +18,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_25 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_29 {
+struct type_27 {
     member: array<f32>,
 }
 
@@ -31,7 +31,7 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct type_38 {
+struct type_36 {
     member: array<vec4<f32>>,
 }
 
@@ -48,7 +48,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_41 {
+struct type_40 {
     member: abi_ShadowParams,
 }
 
@@ -62,57 +62,57 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_48 {
+struct type_47 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_25;
+var<storage> samples: type_23;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_41;
+var<uniform> p: type_40;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_29;
+var<storage, read_write> visibility: type_27;
 var<private> local_2: u32;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_48;
+var<storage, read_write> list: type_47;
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(2) 
-var<storage> map: type_38;
+var<storage> map: type_36;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_157_: bool;
+    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_159_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_157_ = false;
         } else {
-            phi_160_ = lt_bvh_traverse_Tree();
-            phi_161_ = true;
+            phi_156_ = lt_bvh_traverse_Tree();
+            phi_157_ = true;
         }
-        let _e59 = phi_160_;
-        let _e61 = phi_161_;
-        phi_162_ = _e59;
-        phi_163_ = _e61;
+        let _e62 = phi_156_;
+        let _e64 = phi_157_;
+        phi_158_ = _e62;
+        phi_159_ = _e64;
     } else {
-        phi_162_ = lt_bvh_traverse_Tree();
-        phi_163_ = true;
+        phi_158_ = lt_bvh_traverse_Tree();
+        phi_159_ = true;
     }
-    let _e63 = phi_162_;
-    let _e65 = phi_163_;
-    if _e65 {
-        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e66 = phi_158_;
+    let _e68 = phi_159_;
+    if _e68 {
+        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_168_ = _e63;
+        phi_164_ = _e66;
     }
-    let _e70 = phi_168_;
-    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
+    let _e73 = phi_164_;
+    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -120,473 +120,531 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_194_: bool;
-    var phi_198_: f32;
-    var phi_199_: f32;
+    var phi_190_: bool;
+    var phi_194_: f32;
+    var phi_195_: f32;
 
-    let _e47 = (*param_4);
-    if ((bitcast<u32>(_e47) & 2147483647u) > 2139095040u) {
-        phi_199_ = _e47;
+    let _e50 = (*param_4);
+    if ((bitcast<u32>(_e50) & 2147483647u) > 2139095040u) {
+        phi_195_ = _e50;
     } else {
         if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-            phi_194_ = true;
+            phi_190_ = true;
         } else {
-            let _e54 = (84f < _e47);
-            if _e54 {
+            let _e57 = (84f < _e50);
+            if _e57 {
             }
-            phi_194_ = _e54;
+            phi_190_ = _e57;
         }
-        let _e56 = phi_194_;
-        if _e56 {
-            phi_198_ = 84f;
+        let _e59 = phi_190_;
+        if _e59 {
+            phi_194_ = 84f;
         } else {
-            phi_198_ = _e47;
+            phi_194_ = _e50;
         }
-        let _e58 = phi_198_;
-        phi_199_ = _e58;
+        let _e61 = phi_194_;
+        phi_195_ = _e61;
     }
-    let _e60 = phi_199_;
-    return _e60;
+    let _e63 = phi_195_;
+    return _e63;
 }
 
-fn lt_shaders_evaluate_to_light(param_5: vec3<f32>, param_6: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_6.x - (param_5.x * param_6.w)), (param_6.y - (param_5.y * param_6.w)), (param_6.z - (param_5.z * param_6.w)));
-}
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_214_: f32;
+    var phi_215_: f32;
+    var phi_216_: f32;
+    var phi_231_: f32;
+    var phi_236_: f32;
+    var phi_258_: f32;
+    var phi_263_: f32;
+    var phi_264_: bool;
+    var phi_265_: f32;
+    var phi_266_: bool;
+    var phi_270_: f32;
+    var phi_308_: f32;
+    var phi_324_: f32;
+    var phi_325_: f32;
+    var phi_326_: f32;
 
-fn lt_shaders_evaluate_quad_indices(param_7: i32, param_8: i32, param_9: u32) -> array<u32, 4> {
-    var phi_227_: i32;
-    var phi_232_: i32;
-    var phi_237_: i32;
-    var phi_242_: i32;
-    var phi_251_: i32;
-    var phi_256_: i32;
-    var phi_261_: i32;
-    var phi_266_: i32;
-
-    let _e50 = (bitcast<i32>(param_9) - 1i);
-    if (param_7 > 0i) {
-        phi_227_ = param_7;
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_216_ = param_7;
     } else {
-        phi_227_ = 0i;
-    }
-    let _e53 = phi_227_;
-    if (param_8 > 0i) {
-        phi_232_ = param_8;
-    } else {
-        phi_232_ = 0i;
-    }
-    let _e56 = phi_232_;
-    if (_e53 < _e50) {
-        phi_237_ = _e53;
-    } else {
-        phi_237_ = _e50;
-    }
-    let _e59 = phi_237_;
-    if (_e56 < _e50) {
-        phi_242_ = _e56;
-    } else {
-        phi_242_ = _e50;
-    }
-    let _e62 = phi_242_;
-    let _e63 = bitcast<u32>(_e59);
-    let _e65 = (param_7 + 1i);
-    let _e66 = (param_8 + 1i);
-    if (_e65 > 0i) {
-        phi_251_ = _e65;
-    } else {
-        phi_251_ = 0i;
-    }
-    let _e69 = phi_251_;
-    if (_e66 > 0i) {
-        phi_256_ = _e66;
-    } else {
-        phi_256_ = 0i;
-    }
-    let _e72 = phi_256_;
-    if (_e69 < _e50) {
-        phi_261_ = _e69;
-    } else {
-        phi_261_ = _e50;
-    }
-    let _e75 = phi_261_;
-    if (_e72 < _e50) {
-        phi_266_ = _e72;
-    } else {
-        phi_266_ = _e50;
-    }
-    let _e78 = phi_266_;
-    let _e79 = bitcast<u32>(_e75);
-    let _e81 = (bitcast<u32>(_e62) * param_9);
-    let _e82 = (bitcast<u32>(_e78) * param_9);
-    return array<u32, 4>((_e81 + _e63), (_e81 + _e79), (_e82 + _e63), (_e82 + _e79));
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_10: ptr<function, f32>, param_11: vec4<f32>, param_12: f32) -> f32 {
-    var phi_294_: f32;
-    var phi_295_: f32;
-    var phi_296_: f32;
-    var phi_323_: bool;
-    var phi_327_: f32;
-    var phi_328_: f32;
-    var phi_345_: bool;
-    var phi_349_: f32;
-    var phi_350_: f32;
-    var phi_391_: f32;
-    var phi_407_: f32;
-    var phi_408_: f32;
-    var phi_409_: f32;
-
-    if ((bitcast<u32>(param_12) & 2147483647u) > 2139095040u) {
-        phi_296_ = param_12;
-    } else {
-        if (param_12 < 0f) {
-            phi_295_ = 0f;
+        if (param_7 < 0f) {
+            phi_215_ = 0f;
         } else {
-            if (param_12 > 1f) {
-                phi_294_ = 1f;
+            if (param_7 > 1f) {
+                phi_214_ = 1f;
             } else {
-                phi_294_ = param_12;
+                phi_214_ = param_7;
             }
-            let _e55 = phi_294_;
-            phi_295_ = _e55;
+            let _e58 = phi_214_;
+            phi_215_ = _e58;
         }
-        let _e57 = phi_295_;
-        phi_296_ = _e57;
+        let _e60 = phi_215_;
+        phi_216_ = _e60;
     }
-    let _e59 = phi_296_;
-    let _e61 = _lt_math_esm_Esm_clamped_exponent(param_10);
-    let _e63 = (_e61 * (1f - _e59));
-    if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
-        phi_391_ = _e63;
+    let _e62 = phi_216_;
+    let _e64 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    let _e66 = (_e64 * (1f - _e62));
+    if ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u) {
+        phi_308_ = _e66;
     } else {
-        if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
-            phi_328_ = _e63;
+        if (_e66 < -87f) {
+            phi_231_ = -87f;
         } else {
-            if ((bitcast<u32>(-87f) & 2147483647u) > 2139095040u) {
-                phi_323_ = true;
-            } else {
-                let _e73 = (-87f > _e63);
-                if _e73 {
-                }
-                phi_323_ = _e73;
-            }
-            let _e75 = phi_323_;
-            if _e75 {
-                phi_327_ = -87f;
-            } else {
-                phi_327_ = _e63;
-            }
-            let _e77 = phi_327_;
-            phi_328_ = _e77;
+            phi_231_ = _e66;
         }
-        let _e79 = phi_328_;
-        if ((bitcast<u32>(_e79) & 2147483647u) > 2139095040u) {
-            phi_350_ = _e79;
+        let _e72 = phi_231_;
+        if (_e72 > 88f) {
+            phi_236_ = 88f;
         } else {
-            if ((bitcast<u32>(88f) & 2147483647u) > 2139095040u) {
-                phi_345_ = true;
-            } else {
-                let _e86 = (88f < _e79);
-                if _e86 {
-                }
-                phi_345_ = _e86;
-            }
-            let _e88 = phi_345_;
-            if _e88 {
-                phi_349_ = 88f;
-            } else {
-                phi_349_ = _e79;
-            }
-            let _e90 = phi_349_;
-            phi_350_ = _e90;
+            phi_236_ = _e72;
         }
-        let _e92 = phi_350_;
-        let _e95 = floor(((_e92 * 1.442695f) + 0.5f));
-        let _e99 = ((_e92 - (_e95 * 0.69314575f)) - (_e95 * 0.0000014286068f));
-        phi_391_ = ((((((((((((((((1f / 5040f) * _e99) + (1f / 720f)) * _e99) + (1f / 120f)) * _e99) + (1f / 24f)) * _e99) + (1f / 6f)) * _e99) + 0.5f) * _e99) + 1f) * _e99) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e95), i32(-2147483648), (_e95 < bitcast<f32>(3472883712u))), 2147483647i, (_e95 > bitcast<f32>(1325400063u))), (_e95 == _e95)) + 127i)) << bitcast<u32>(23i))));
+        let _e75 = phi_236_;
+        let _e77 = ((_e75 * 1.442695f) + 0.5f);
+        if (_e77 > -8388608f) {
+            let _e89 = f32(select(0i, select(select(i32(_e77), i32(-2147483648), (_e77 < bitcast<f32>(3472883712u))), 2147483647i, (_e77 > bitcast<f32>(1325400063u))), (_e77 == _e77)));
+            if (_e89 > _e77) {
+                phi_258_ = 1f;
+            } else {
+                phi_258_ = 0f;
+            }
+            let _e92 = phi_258_;
+            if (_e77 < 8388608f) {
+                phi_263_ = (_e89 - _e92);
+                phi_264_ = false;
+            } else {
+                phi_263_ = f32();
+                phi_264_ = true;
+            }
+            let _e95 = phi_263_;
+            let _e97 = phi_264_;
+            phi_265_ = _e95;
+            phi_266_ = _e97;
+        } else {
+            phi_265_ = f32();
+            phi_266_ = true;
+        }
+        let _e99 = phi_265_;
+        let _e101 = phi_266_;
+        if _e101 {
+            phi_270_ = _e77;
+        } else {
+            phi_270_ = _e99;
+        }
+        let _e103 = phi_270_;
+        let _e107 = ((_e75 - (_e103 * 0.69314575f)) - (_e103 * 0.0000014286068f));
+        phi_308_ = ((((((((((((((((1f / 5040f) * _e107) + (1f / 720f)) * _e107) + (1f / 120f)) * _e107) + (1f / 24f)) * _e107) + (1f / 6f)) * _e107) + 0.5f) * _e107) + 1f) * _e107) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e103), i32(-2147483648), (_e103 < bitcast<f32>(3472883712u))), 2147483647i, (_e103 > bitcast<f32>(1325400063u))), (_e103 == _e103)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e135 = phi_391_;
-    let _e136 = (param_11.x * _e135);
-    if ((bitcast<u32>(_e136) & 2147483647u) > 2139095040u) {
-        phi_409_ = _e136;
+    let _e143 = phi_308_;
+    let _e144 = (param_6.x * _e143);
+    if ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u) {
+        phi_326_ = _e144;
     } else {
-        if (_e136 < 0f) {
-            phi_408_ = 0f;
+        if (_e144 < 0f) {
+            phi_325_ = 0f;
         } else {
-            if (_e136 > 1f) {
-                phi_407_ = 1f;
+            if (_e144 > 1f) {
+                phi_324_ = 1f;
             } else {
-                phi_407_ = _e136;
+                phi_324_ = _e144;
             }
-            let _e143 = phi_407_;
-            phi_408_ = _e143;
+            let _e151 = phi_324_;
+            phi_325_ = _e151;
         }
-        let _e145 = phi_408_;
-        phi_409_ = _e145;
+        let _e153 = phi_325_;
+        phi_326_ = _e153;
     }
-    let _e147 = phi_409_;
-    return _e147;
+    let _e155 = phi_326_;
+    return _e155;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_463_: bool;
-    var phi_464_: bool;
-    var phi_465_: bool;
-    var phi_466_: bool;
-    var phi_470_: bool;
-    var phi_505_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_509_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_602_: bool;
-    var phi_603_: bool;
-    var phi_604_: bool;
-    var phi_605_: bool;
-    var phi_606_: bool;
-    var phi_607_: bool;
-    var phi_608_: bool;
-    var phi_609_: bool;
-    var phi_610_: bool;
-    var phi_611_: bool;
-    var phi_612_: bool;
-    var phi_613_: bool;
-    var phi_617_: bool;
-    var phi_762_: bool;
-    var phi_770_: bool;
-    var phi_775_: f32;
-    var phi_778_: evaluate_Verdict;
-    var phi_779_: evaluate_Verdict;
-    var phi_783_: bool;
-    var phi_784_: u32;
-    var phi_790_: u32;
+    var phi_380_: bool;
+    var phi_381_: bool;
+    var phi_382_: bool;
+    var phi_383_: bool;
+    var phi_387_: bool;
+    var phi_431_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_435_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_512_: bool;
+    var phi_521_: bool;
+    var phi_530_: bool;
+    var phi_531_: bool;
+    var phi_532_: bool;
+    var phi_533_: bool;
+    var phi_534_: bool;
+    var phi_535_: bool;
+    var phi_536_: bool;
+    var phi_540_: bool;
+    var phi_576_: f32;
+    var phi_581_: f32;
+    var phi_582_: bool;
+    var phi_583_: f32;
+    var phi_584_: bool;
+    var phi_588_: f32;
+    var phi_608_: f32;
+    var phi_613_: f32;
+    var phi_614_: bool;
+    var phi_615_: f32;
+    var phi_616_: bool;
+    var phi_620_: f32;
+    var phi_666_: i32;
+    var phi_671_: i32;
+    var phi_676_: i32;
+    var phi_681_: i32;
+    var phi_690_: i32;
+    var phi_695_: i32;
+    var phi_700_: i32;
+    var phi_705_: i32;
+    var phi_796_: bool;
+    var phi_804_: bool;
+    var phi_809_: f32;
+    var phi_812_: evaluate_Verdict;
+    var phi_813_: evaluate_Verdict;
+    var phi_817_: bool;
+    var phi_818_: u32;
+    var phi_824_: u32;
 
-    let _e47 = id_1;
-    let _e48 = local_2;
-    let _e53 = arrayLength((&map.member));
-    if (_e48 == 0u) {
+    let _e50 = id_1;
+    let _e51 = local_2;
+    let _e56 = arrayLength((&map.member));
+    if (_e51 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e60 = p.member.size[0u];
-    let _e62 = p.member.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        let _e70 = p.member.light;
-        let _e73 = samples.member[_e63.first_primitive].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[_e63.first_primitive].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[_e63.first_primitive].normal[2u];
-                let _e85 = global[2u];
-                phi_463_ = (_e83 == _e85);
-                phi_464_ = false;
+    let _e63 = p.member.size[0u];
+    let _e65 = p.member.size[1u];
+    let _e66 = lt_shaders_entry_pixel_index(_e50, _e63, _e65);
+    if (bitcast<i32>(_e66.root) != 0i) {
+        let _e73 = p.member.light;
+        let _e76 = samples.member[_e66.first_primitive].normal[0u];
+        let _e78 = global[0u];
+        if (_e76 == _e78) {
+            let _e81 = samples.member[_e66.first_primitive].normal[1u];
+            let _e83 = global[1u];
+            if (_e81 == _e83) {
+                let _e86 = samples.member[_e66.first_primitive].normal[2u];
+                let _e88 = global[2u];
+                phi_380_ = (_e86 == _e88);
+                phi_381_ = false;
             } else {
-                phi_463_ = bool();
-                phi_464_ = true;
+                phi_380_ = bool();
+                phi_381_ = true;
             }
-            let _e88 = phi_463_;
-            let _e90 = phi_464_;
-            phi_465_ = _e88;
-            phi_466_ = _e90;
+            let _e91 = phi_380_;
+            let _e93 = phi_381_;
+            phi_382_ = _e91;
+            phi_383_ = _e93;
         } else {
-            phi_465_ = bool();
-            phi_466_ = true;
+            phi_382_ = bool();
+            phi_383_ = true;
         }
-        let _e92 = phi_465_;
-        let _e94 = phi_466_;
-        if _e94 {
-            phi_470_ = false;
+        let _e95 = phi_382_;
+        let _e97 = phi_383_;
+        if _e97 {
+            phi_387_ = false;
         } else {
-            phi_470_ = _e92;
+            phi_387_ = _e95;
         }
-        let _e96 = phi_470_;
-        if !(_e96) {
-            let _e99 = samples.member[_e63.first_primitive].normal;
-            let _e101 = samples.member[_e63.first_primitive].position;
-            let _e102 = lt_shaders_evaluate_to_light(_e101, _e70);
-            if ((((_e99.x * _e102.x) + (_e99.y * _e102.y)) + (_e99.z * _e102.z)) > 0f) {
-                let _e116 = samples.member[_e63.first_primitive].flags;
-                let _e124 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e130 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e124.unnamed.visibility, false), _e124.unnamed_1);
-                phi_505_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, ((_e116 & 1u) == 0u));
+        let _e99 = phi_387_;
+        if !(_e99) {
+            let _e102 = samples.member[_e66.first_primitive].normal;
+            let _e104 = samples.member[_e66.first_primitive].position;
+            if ((((_e102.x * (_e73.x - (_e104.x * _e73.w))) + (_e102.y * (_e73.y - (_e104.y * _e73.w)))) + (_e102.z * (_e73.z - (_e104.z * _e73.w)))) > 0f) {
+                let _e128 = samples.member[_e66.first_primitive].flags;
+                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
+                phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
             } else {
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
-                phi_505_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, true);
+                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
+                phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
             }
-            let _e150 = phi_505_;
-            phi_509_ = _e150;
+            let _e162 = phi_431_;
+            phi_435_ = _e162;
         } else {
-            let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
-            phi_509_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
+            let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+            phi_435_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
         }
-        let _e167 = phi_509_;
-        if _e167.unnamed_1 {
-            phi_779_ = evaluate_Verdict(_e167.unnamed.visibility, _e167.unnamed.is_doubted);
+        let _e179 = phi_435_;
+        if _e179.unnamed_1 {
+            phi_813_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
         } else {
-            let _e175 = samples.member[_e63.first_primitive].position;
-            let _e181 = p.member.projection.row_w;
-            let _e192 = ((((_e181.x * _e175.x) + (_e181.y * _e175.y)) + (_e181.z * _e175.z)) + (_e181.w * 1f));
-            let _e194 = p.member.projection.row_x;
-            let _e206 = (((((_e194.x * _e175.x) + (_e194.y * _e175.y)) + (_e194.z * _e175.z)) + (_e194.w * 1f)) / _e192);
-            let _e208 = p.member.projection.row_y;
-            let _e220 = (((((_e208.x * _e175.x) + (_e208.y * _e175.y)) + (_e208.z * _e175.z)) + (_e208.w * 1f)) / _e192);
-            let _e222 = p.member.projection.row_z;
-            let _e233 = ((((_e222.x * _e175.x) + (_e222.y * _e175.y)) + (_e222.z * _e175.z)) + (_e222.w * 1f));
-            if (_e192 > 0f) {
-                if (_e206 >= 0f) {
-                    if (_e206 <= 1f) {
-                        if (_e220 >= 0f) {
-                            if (_e220 <= 1f) {
-                                if (_e233 >= 0f) {
-                                    phi_602_ = (_e233 <= 1f);
-                                    phi_603_ = false;
-                                } else {
-                                    phi_602_ = bool();
-                                    phi_603_ = true;
-                                }
-                                let _e242 = phi_602_;
-                                let _e244 = phi_603_;
-                                phi_604_ = _e242;
-                                phi_605_ = _e244;
-                            } else {
-                                phi_604_ = bool();
-                                phi_605_ = true;
-                            }
-                            let _e246 = phi_604_;
-                            let _e248 = phi_605_;
-                            phi_606_ = _e246;
-                            phi_607_ = _e248;
-                        } else {
-                            phi_606_ = bool();
-                            phi_607_ = true;
-                        }
-                        let _e250 = phi_606_;
-                        let _e252 = phi_607_;
-                        phi_608_ = _e250;
-                        phi_609_ = _e252;
+            let _e187 = samples.member[_e66.first_primitive].position;
+            let _e193 = p.member.projection.row_w;
+            let _e204 = ((((_e193.x * _e187.x) + (_e193.y * _e187.y)) + (_e193.z * _e187.z)) + (_e193.w * 1f));
+            let _e206 = p.member.projection.row_x;
+            let _e218 = (((((_e206.x * _e187.x) + (_e206.y * _e187.y)) + (_e206.z * _e187.z)) + (_e206.w * 1f)) / _e204);
+            let _e220 = p.member.projection.row_y;
+            let _e232 = (((((_e220.x * _e187.x) + (_e220.y * _e187.y)) + (_e220.z * _e187.z)) + (_e220.w * 1f)) / _e204);
+            let _e234 = p.member.projection.row_z;
+            let _e245 = ((((_e234.x * _e187.x) + (_e234.y * _e187.y)) + (_e234.z * _e187.z)) + (_e234.w * 1f));
+            if (_e204 > 0f) {
+                if (_e218 >= 0f) {
+                    phi_512_ = (_e218 <= 1f);
+                } else {
+                    phi_512_ = false;
+                }
+                let _e250 = phi_512_;
+                if _e250 {
+                    if (_e232 >= 0f) {
+                        phi_521_ = (_e232 <= 1f);
                     } else {
-                        phi_608_ = bool();
-                        phi_609_ = true;
+                        phi_521_ = false;
                     }
-                    let _e254 = phi_608_;
-                    let _e256 = phi_609_;
-                    phi_610_ = _e254;
-                    phi_611_ = _e256;
+                    let _e254 = phi_521_;
+                    if _e254 {
+                        if (_e245 >= 0f) {
+                            phi_530_ = (_e245 <= 1f);
+                        } else {
+                            phi_530_ = false;
+                        }
+                        let _e258 = phi_530_;
+                        phi_531_ = _e258;
+                        phi_532_ = false;
+                    } else {
+                        phi_531_ = bool();
+                        phi_532_ = true;
+                    }
+                    let _e260 = phi_531_;
+                    let _e262 = phi_532_;
+                    phi_533_ = _e260;
+                    phi_534_ = _e262;
                 } else {
-                    phi_610_ = bool();
-                    phi_611_ = true;
+                    phi_533_ = bool();
+                    phi_534_ = true;
                 }
-                let _e258 = phi_610_;
-                let _e260 = phi_611_;
-                phi_612_ = _e258;
-                phi_613_ = _e260;
+                let _e264 = phi_533_;
+                let _e266 = phi_534_;
+                phi_535_ = _e264;
+                phi_536_ = _e266;
             } else {
-                phi_612_ = bool();
-                phi_613_ = true;
+                phi_535_ = bool();
+                phi_536_ = true;
             }
-            let _e262 = phi_612_;
-            let _e264 = phi_613_;
-            if _e264 {
-                phi_617_ = false;
+            let _e268 = phi_535_;
+            let _e270 = phi_536_;
+            if _e270 {
+                phi_540_ = false;
             } else {
-                phi_617_ = _e262;
+                phi_540_ = _e268;
             }
-            let _e266 = phi_617_;
-            if _e266 {
-                let _e268 = p.member.map_size;
-                let _e269 = f32(_e268);
-                let _e272 = ((_e206 * _e269) - 0.5f);
-                let _e273 = ((_e220 * _e269) - 0.5f);
-                let _e274 = floor(_e272);
-                let _e275 = floor(_e273);
-                let _e276 = (_e272 - _e274);
-                let _e277 = (_e273 - _e275);
-                let _e298 = ((1f - _e276) * (1f - _e277));
-                let _e300 = (_e276 * (1f - _e277));
-                let _e302 = ((1f - _e276) * _e277);
-                let _e303 = (_e276 * _e277);
-                let _e305 = p.member.test;
-                let _e306 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e305);
-                let _e308 = p.member.map_size;
-                local_1 = _e306;
-                let _e309 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e274), i32(-2147483648), (_e274 < bitcast<f32>(3472883712u))), 2147483647i, (_e274 > bitcast<f32>(1325400063u))), (_e274 == _e274)), select(0i, select(select(i32(_e275), i32(-2147483648), (_e275 < bitcast<f32>(3472883712u))), 2147483647i, (_e275 > bitcast<f32>(1325400063u))), (_e275 == _e275)), _e308);
-                if (_e309[0] < _e53) {
+            let _e272 = phi_540_;
+            if _e272 {
+                let _e274 = p.member.map_size;
+                let _e275 = f32(_e274);
+                let _e278 = ((_e218 * _e275) - 0.5f);
+                let _e279 = ((_e232 * _e275) - 0.5f);
+                if (_e278 > -8388608f) {
+                    let _e291 = f32(select(0i, select(select(i32(_e278), i32(-2147483648), (_e278 < bitcast<f32>(3472883712u))), 2147483647i, (_e278 > bitcast<f32>(1325400063u))), (_e278 == _e278)));
+                    if (_e291 > _e278) {
+                        phi_576_ = 1f;
+                    } else {
+                        phi_576_ = 0f;
+                    }
+                    let _e294 = phi_576_;
+                    if (_e278 < 8388608f) {
+                        phi_581_ = (_e291 - _e294);
+                        phi_582_ = false;
+                    } else {
+                        phi_581_ = f32();
+                        phi_582_ = true;
+                    }
+                    let _e297 = phi_581_;
+                    let _e299 = phi_582_;
+                    phi_583_ = _e297;
+                    phi_584_ = _e299;
+                } else {
+                    phi_583_ = f32();
+                    phi_584_ = true;
+                }
+                let _e301 = phi_583_;
+                let _e303 = phi_584_;
+                if _e303 {
+                    phi_588_ = _e278;
+                } else {
+                    phi_588_ = _e301;
+                }
+                let _e305 = phi_588_;
+                if (_e279 > -8388608f) {
+                    let _e317 = f32(select(0i, select(select(i32(_e279), i32(-2147483648), (_e279 < bitcast<f32>(3472883712u))), 2147483647i, (_e279 > bitcast<f32>(1325400063u))), (_e279 == _e279)));
+                    if (_e317 > _e279) {
+                        phi_608_ = 1f;
+                    } else {
+                        phi_608_ = 0f;
+                    }
+                    let _e320 = phi_608_;
+                    if (_e279 < 8388608f) {
+                        phi_613_ = (_e317 - _e320);
+                        phi_614_ = false;
+                    } else {
+                        phi_613_ = f32();
+                        phi_614_ = true;
+                    }
+                    let _e323 = phi_613_;
+                    let _e325 = phi_614_;
+                    phi_615_ = _e323;
+                    phi_616_ = _e325;
+                } else {
+                    phi_615_ = f32();
+                    phi_616_ = true;
+                }
+                let _e327 = phi_615_;
+                let _e329 = phi_616_;
+                if _e329 {
+                    phi_620_ = _e279;
+                } else {
+                    phi_620_ = _e327;
+                }
+                let _e331 = phi_620_;
+                let _e332 = (_e278 - _e305);
+                let _e333 = (_e279 - _e331);
+                let _e342 = select(0i, select(select(i32(_e305), i32(-2147483648), (_e305 < bitcast<f32>(3472883712u))), 2147483647i, (_e305 > bitcast<f32>(1325400063u))), (_e305 == _e305));
+                let _e351 = select(0i, select(select(i32(_e331), i32(-2147483648), (_e331 < bitcast<f32>(3472883712u))), 2147483647i, (_e331 > bitcast<f32>(1325400063u))), (_e331 == _e331));
+                let _e354 = ((1f - _e332) * (1f - _e333));
+                let _e356 = (_e332 * (1f - _e333));
+                let _e358 = ((1f - _e332) * _e333);
+                let _e359 = (_e332 * _e333);
+                let _e361 = p.member.test;
+                let _e362 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e361);
+                let _e364 = p.member.map_size;
+                local_1 = _e362;
+                let _e366 = (bitcast<i32>(_e364) - 1i);
+                if (_e342 > 0i) {
+                    phi_666_ = _e342;
+                } else {
+                    phi_666_ = 0i;
+                }
+                let _e369 = phi_666_;
+                if (_e351 > 0i) {
+                    phi_671_ = _e351;
+                } else {
+                    phi_671_ = 0i;
+                }
+                let _e372 = phi_671_;
+                if (_e369 < _e366) {
+                    phi_676_ = _e369;
+                } else {
+                    phi_676_ = _e366;
+                }
+                let _e375 = phi_676_;
+                if (_e372 < _e366) {
+                    phi_681_ = _e372;
+                } else {
+                    phi_681_ = _e366;
+                }
+                let _e378 = phi_681_;
+                let _e379 = bitcast<u32>(_e375);
+                let _e381 = (_e342 + 1i);
+                let _e382 = (_e351 + 1i);
+                if (_e381 > 0i) {
+                    phi_690_ = _e381;
+                } else {
+                    phi_690_ = 0i;
+                }
+                let _e385 = phi_690_;
+                if (_e382 > 0i) {
+                    phi_695_ = _e382;
+                } else {
+                    phi_695_ = 0i;
+                }
+                let _e388 = phi_695_;
+                if (_e385 < _e366) {
+                    phi_700_ = _e385;
+                } else {
+                    phi_700_ = _e366;
+                }
+                let _e391 = phi_700_;
+                if (_e388 < _e366) {
+                    phi_705_ = _e388;
+                } else {
+                    phi_705_ = _e366;
+                }
+                let _e394 = phi_705_;
+                let _e395 = bitcast<u32>(_e391);
+                let _e397 = (bitcast<u32>(_e378) * _e364);
+                let _e398 = (bitcast<u32>(_e394) * _e364);
+                let _e399 = (_e397 + _e379);
+                let _e400 = (_e397 + _e395);
+                let _e401 = (_e398 + _e379);
+                let _e402 = (_e398 + _e395);
+                if (_e399 < _e56) {
                 } else {
                     return;
                 }
-                let _e314 = map.member[(0u + _e309[0])];
-                if (_e309[1] < _e53) {
+                let _e406 = map.member[(0u + _e399)];
+                if (_e400 < _e56) {
                 } else {
                     return;
                 }
-                let _e327 = map.member[(0u + _e309[1])];
-                if (_e309[2] < _e53) {
+                let _e418 = map.member[(0u + _e400)];
+                if (_e401 < _e56) {
                 } else {
                     return;
                 }
-                let _e344 = map.member[(0u + _e309[2])];
-                if (_e309[3] < _e53) {
+                let _e434 = map.member[(0u + _e401)];
+                if (_e402 < _e56) {
                 } else {
                     return;
                 }
-                let _e361 = map.member[(0u + _e309[3])];
-                let _e375 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e314.x * _e298) + (_e327.x * _e300)) + (_e344.x * _e302)) + (_e361.x * _e303)), ((((_e314.y * _e298) + (_e327.y * _e300)) + (_e344.y * _e302)) + (_e361.y * _e303)), ((((_e314.z * _e298) + (_e327.z * _e300)) + (_e344.z * _e302)) + (_e361.z * _e303)), ((((_e314.w * _e298) + (_e327.w * _e300)) + (_e344.w * _e302)) + (_e361.w * _e303))), _e233);
-                let _e377 = p.member.epsilon;
-                if (_e375 <= _e377) {
-                    phi_762_ = true;
+                let _e450 = map.member[(0u + _e402)];
+                let _e464 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e406.x * _e354) + (_e418.x * _e356)) + (_e434.x * _e358)) + (_e450.x * _e359)), ((((_e406.y * _e354) + (_e418.y * _e356)) + (_e434.y * _e358)) + (_e450.y * _e359)), ((((_e406.z * _e354) + (_e418.z * _e356)) + (_e434.z * _e358)) + (_e450.z * _e359)), ((((_e406.w * _e354) + (_e418.w * _e356)) + (_e434.w * _e358)) + (_e450.w * _e359))), _e245);
+                let _e466 = p.member.epsilon;
+                if (_e464 <= _e466) {
+                    phi_796_ = true;
                 } else {
-                    phi_762_ = (_e375 >= (1f - _e377));
+                    phi_796_ = (_e464 >= (1f - _e466));
                 }
-                let _e382 = phi_762_;
-                if ((bitcast<u32>(_e375) & 2147483647u) > 2139095040u) {
-                    phi_770_ = true;
+                let _e471 = phi_796_;
+                if ((bitcast<u32>(_e464) & 2147483647u) > 2139095040u) {
+                    phi_804_ = true;
                 } else {
-                    phi_770_ = !(_e382);
+                    phi_804_ = !(_e471);
                 }
-                let _e388 = phi_770_;
-                if (_e375 > 0.5f) {
-                    phi_775_ = 1f;
+                let _e477 = phi_804_;
+                if (_e464 > 0.5f) {
+                    phi_809_ = 1f;
                 } else {
-                    phi_775_ = 0f;
+                    phi_809_ = 0f;
                 }
-                let _e391 = phi_775_;
-                phi_778_ = evaluate_Verdict(_e391, _e388);
+                let _e480 = phi_809_;
+                phi_812_ = evaluate_Verdict(_e480, _e477);
             } else {
-                phi_778_ = evaluate_Verdict(1f, true);
+                phi_812_ = evaluate_Verdict(1f, true);
             }
-            let _e395 = phi_778_;
-            phi_779_ = _e395;
+            let _e484 = phi_812_;
+            phi_813_ = _e484;
         }
-        let _e397 = phi_779_;
-        visibility.member[_e63.first_primitive] = _e397.visibility;
-        phi_783_ = _e397.is_doubted;
-        phi_784_ = _e63.first_primitive;
+        let _e486 = phi_813_;
+        visibility.member[_e66.first_primitive] = _e486.visibility;
+        phi_817_ = _e486.is_doubted;
+        phi_818_ = _e66.first_primitive;
     } else {
-        phi_783_ = false;
-        phi_784_ = 0u;
+        phi_817_ = false;
+        phi_818_ = 0u;
     }
-    let _e402 = phi_783_;
-    let _e404 = phi_784_;
-    if _e402 {
-        let _e406 = atomicAdd((&shared_[0u]), 1u);
-        phi_790_ = _e406;
+    let _e491 = phi_817_;
+    let _e493 = phi_818_;
+    if _e491 {
+        let _e495 = atomicAdd((&shared_[0u]), 1u);
+        phi_824_ = _e495;
     } else {
-        phi_790_ = 0u;
+        phi_824_ = 0u;
     }
-    let _e408 = phi_790_;
+    let _e497 = phi_824_;
     workgroupBarrier();
-    if (_e48 == 0u) {
-        let _e412 = atomicLoad((&shared_[0u]));
-        let _e413 = atomicAdd((&list.member[3u]), _e412);
-        atomicStore((&shared_[1u]), _e413);
+    if (_e51 == 0u) {
+        let _e501 = atomicLoad((&shared_[0u]));
+        let _e502 = atomicAdd((&list.member[3u]), _e501);
+        atomicStore((&shared_[1u]), _e502);
     }
     workgroupBarrier();
-    if _e402 {
-        let _e416 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e416) + _e408)]), _e404);
+    if _e491 {
+        let _e505 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e505) + _e497)]), _e493);
     }
     return;
 }

@@ -18,11 +18,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_26 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_30 {
+struct type_27 {
     member: array<f32>,
 }
 
@@ -31,7 +31,7 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct type_40 {
+struct type_36 {
     member: array<vec4<f32>>,
 }
 
@@ -48,7 +48,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_43 {
+struct type_40 {
     member: abi_ShadowParams,
 }
 
@@ -69,934 +69,1186 @@ struct hankel_HankelFactors {
     d33_d22_: f32,
 }
 
-struct type_51 {
+struct type_50 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_26;
+var<storage> samples: type_23;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_43;
+var<uniform> p: type_40;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_30;
+var<storage, read_write> visibility: type_27;
 var<private> local_3: u32;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_51;
+var<storage, read_write> list: type_50;
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(2) 
-var<storage> map: type_40;
+var<storage> map: type_36;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_159_: bool;
     var phi_160_: lt_bvh_traverse_Tree;
     var phi_161_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_166_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_158_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_159_ = false;
         } else {
-            phi_160_ = lt_bvh_traverse_Tree();
-            phi_161_ = true;
+            phi_158_ = lt_bvh_traverse_Tree();
+            phi_159_ = true;
         }
-        let _e49 = phi_160_;
-        let _e51 = phi_161_;
-        phi_162_ = _e49;
-        phi_163_ = _e51;
+        let _e52 = phi_158_;
+        let _e54 = phi_159_;
+        phi_160_ = _e52;
+        phi_161_ = _e54;
     } else {
-        phi_162_ = lt_bvh_traverse_Tree();
-        phi_163_ = true;
+        phi_160_ = lt_bvh_traverse_Tree();
+        phi_161_ = true;
     }
-    let _e53 = phi_162_;
-    let _e55 = phi_163_;
-    if _e55 {
-        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e56 = phi_160_;
+    let _e58 = phi_161_;
+    if _e58 {
+        phi_166_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_168_ = _e53;
+        phi_166_ = _e56;
     }
-    let _e60 = phi_168_;
-    return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
+    let _e63 = phi_166_;
+    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn lt_shaders_evaluate_to_light(param_4: vec3<f32>, param_5: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_5.x - (param_4.x * param_5.w)), (param_5.y - (param_4.y * param_5.w)), (param_5.z - (param_4.z * param_5.w)));
+fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, param_7: f32, param_8: f32) -> f32 {
+    return ((((param_4.z - (((param_6 + param_7) + param_8) * param_4.y)) + ((((param_6 * param_7) + (param_6 * param_8)) + (param_7 * param_8)) * param_4.x)) - ((param_6 * param_7) * param_8)) / (((param_5 - param_6) * (param_5 - param_7)) * (param_5 - param_8)));
 }
 
-fn lt_shaders_evaluate_quad_indices(param_6: i32, param_7: i32, param_8: u32) -> array<u32, 4> {
-    var phi_202_: i32;
-    var phi_207_: i32;
-    var phi_212_: i32;
-    var phi_217_: i32;
-    var phi_226_: i32;
-    var phi_231_: i32;
-    var phi_236_: i32;
-    var phi_241_: i32;
+fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
+    var phi_943_: f32;
+    var phi_944_: f32;
+    var phi_945_: f32;
+    var phi_972_: f32;
+    var phi_973_: f32;
+    var phi_974_: f32;
+    var phi_975_: f32;
+    var phi_976_: bool;
+    var phi_977_: f32;
+    var phi_978_: bool;
+    var phi_1006_: f32;
+    var phi_1007_: f32;
+    var phi_1008_: f32;
+    var phi_1009_: f32;
+    var phi_1010_: bool;
+    var phi_1011_: f32;
+    var phi_1012_: bool;
+    var phi_1019_: f32;
+    var phi_1020_: f32;
+    var phi_1021_: f32;
+    var phi_1022_: f32;
 
-    let _e40 = (bitcast<i32>(param_8) - 1i);
-    if (param_6 > 0i) {
-        phi_202_ = param_6;
+    let _e42 = (*param_9).moments;
+    if (param_10 < 0.0001f) {
+        phi_1022_ = 1f;
     } else {
-        phi_202_ = 0i;
-    }
-    let _e43 = phi_202_;
-    if (param_7 > 0i) {
-        phi_207_ = param_7;
-    } else {
-        phi_207_ = 0i;
-    }
-    let _e46 = phi_207_;
-    if (_e43 < _e40) {
-        phi_212_ = _e43;
-    } else {
-        phi_212_ = _e40;
-    }
-    let _e49 = phi_212_;
-    if (_e46 < _e40) {
-        phi_217_ = _e46;
-    } else {
-        phi_217_ = _e40;
-    }
-    let _e52 = phi_217_;
-    let _e53 = bitcast<u32>(_e49);
-    let _e55 = (param_6 + 1i);
-    let _e56 = (param_7 + 1i);
-    if (_e55 > 0i) {
-        phi_226_ = _e55;
-    } else {
-        phi_226_ = 0i;
-    }
-    let _e59 = phi_226_;
-    if (_e56 > 0i) {
-        phi_231_ = _e56;
-    } else {
-        phi_231_ = 0i;
-    }
-    let _e62 = phi_231_;
-    if (_e59 < _e40) {
-        phi_236_ = _e59;
-    } else {
-        phi_236_ = _e40;
-    }
-    let _e65 = phi_236_;
-    if (_e62 < _e40) {
-        phi_241_ = _e62;
-    } else {
-        phi_241_ = _e40;
-    }
-    let _e68 = phi_241_;
-    let _e69 = bitcast<u32>(_e65);
-    let _e71 = (bitcast<u32>(_e52) * param_8);
-    let _e72 = (bitcast<u32>(_e68) * param_8);
-    return array<u32, 4>((_e71 + _e53), (_e71 + _e69), (_e72 + _e53), (_e72 + _e69));
-}
-
-fn lt_math_hausdorff_cubic_mass(param_9: vec4<f32>, param_10: f32, param_11: f32, param_12: f32, param_13: f32) -> f32 {
-    return ((((param_9.z - (((param_11 + param_12) + param_13) * param_9.y)) + ((((param_11 * param_12) + (param_11 * param_13)) + (param_12 * param_13)) * param_9.x)) - ((param_11 * param_12) * param_13)) / (((param_10 - param_11) * (param_10 - param_12)) * (param_10 - param_13)));
-}
-
-fn lt_math_hausdorff_endpoint_upper_bound(param_14: ptr<function, hankel_HankelFactors>, param_15: f32) -> f32 {
-    var phi_797_: f32;
-    var phi_798_: f32;
-    var phi_799_: f32;
-    var phi_826_: f32;
-    var phi_827_: f32;
-    var phi_828_: f32;
-    var phi_829_: f32;
-    var phi_830_: bool;
-    var phi_831_: f32;
-    var phi_832_: bool;
-    var phi_860_: f32;
-    var phi_861_: f32;
-    var phi_862_: f32;
-    var phi_863_: f32;
-    var phi_864_: bool;
-    var phi_865_: f32;
-    var phi_866_: bool;
-    var phi_873_: f32;
-    var phi_874_: f32;
-    var phi_875_: f32;
-    var phi_876_: f32;
-
-    let _e39 = (*param_14).moments;
-    if (param_15 <= 0f) {
-        phi_876_ = 1f;
-    } else {
-        let _e48 = ((_e39.z - ((1f + param_15) * _e39.y)) + (param_15 * _e39.x));
-        let _e57 = (((_e39.w - ((1f + param_15) * _e39.z)) + (param_15 * _e39.y)) / _e48);
-        if (abs(_e48) <= 0.00000047683716f) {
-            let _e71 = (1f - (((_e39.y - (_e39.x * (param_15 + 1f))) + (param_15 * 1f)) / ((0f - param_15) * (0f - 1f))));
-            if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-                phi_799_ = _e71;
+        let _e51 = ((_e42.z - ((1f + param_10) * _e42.y)) + (param_10 * _e42.x));
+        let _e60 = (((_e42.w - ((1f + param_10) * _e42.z)) + (param_10 * _e42.y)) / _e51);
+        if (abs(_e51) <= 0.00000047683716f) {
+            let _e74 = (1f - (((_e42.y - (_e42.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
+            if ((bitcast<u32>(_e74) & 2147483647u) > 2139095040u) {
+                phi_945_ = _e74;
             } else {
-                if (_e71 < 0f) {
-                    phi_798_ = 0f;
+                if (_e74 < 0f) {
+                    phi_944_ = 0f;
                 } else {
-                    if (_e71 > 1f) {
-                        phi_797_ = 1f;
+                    if (_e74 > 1f) {
+                        phi_943_ = 1f;
                     } else {
-                        phi_797_ = _e71;
+                        phi_943_ = _e74;
                     }
-                    let _e78 = phi_797_;
-                    phi_798_ = _e78;
+                    let _e81 = phi_943_;
+                    phi_944_ = _e81;
                 }
-                let _e80 = phi_798_;
-                phi_799_ = _e80;
+                let _e83 = phi_944_;
+                phi_945_ = _e83;
             }
-            let _e82 = phi_799_;
-            phi_875_ = _e82;
+            let _e85 = phi_945_;
+            phi_1021_ = _e85;
         } else {
-            if (_e57 > 0f) {
-                if (_e57 < param_15) {
-                    let _e85 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_15, 1f);
-                    let _e87 = lt_math_hausdorff_cubic_mass(_e39, _e57, 0f, param_15, 1f);
-                    let _e88 = ((1f - _e85) - _e87);
-                    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
-                        phi_828_ = _e88;
+            if (_e60 > 0f) {
+                if (_e60 < param_10) {
+                    let _e88 = lt_math_hausdorff_cubic_mass(_e42, 0f, _e60, param_10, 1f);
+                    let _e90 = lt_math_hausdorff_cubic_mass(_e42, _e60, 0f, param_10, 1f);
+                    let _e91 = ((1f - _e88) - _e90);
+                    if ((bitcast<u32>(_e91) & 2147483647u) > 2139095040u) {
+                        phi_974_ = _e91;
                     } else {
-                        if (_e88 < 0f) {
-                            phi_827_ = 0f;
+                        if (_e91 < 0f) {
+                            phi_973_ = 0f;
                         } else {
-                            if (_e88 > 1f) {
-                                phi_826_ = 1f;
+                            if (_e91 > 1f) {
+                                phi_972_ = 1f;
                             } else {
-                                phi_826_ = _e88;
+                                phi_972_ = _e91;
                             }
-                            let _e95 = phi_826_;
-                            phi_827_ = _e95;
+                            let _e98 = phi_972_;
+                            phi_973_ = _e98;
                         }
-                        let _e97 = phi_827_;
-                        phi_828_ = _e97;
+                        let _e100 = phi_973_;
+                        phi_974_ = _e100;
                     }
-                    let _e99 = phi_828_;
-                    phi_829_ = _e99;
-                    phi_830_ = false;
+                    let _e102 = phi_974_;
+                    phi_975_ = _e102;
+                    phi_976_ = false;
                 } else {
-                    phi_829_ = f32();
-                    phi_830_ = true;
+                    phi_975_ = f32();
+                    phi_976_ = true;
                 }
-                let _e101 = phi_829_;
-                let _e103 = phi_830_;
-                phi_831_ = _e101;
-                phi_832_ = _e103;
+                let _e104 = phi_975_;
+                let _e106 = phi_976_;
+                phi_977_ = _e104;
+                phi_978_ = _e106;
             } else {
-                phi_831_ = f32();
-                phi_832_ = true;
+                phi_977_ = f32();
+                phi_978_ = true;
             }
-            let _e105 = phi_831_;
-            let _e107 = phi_832_;
-            if _e107 {
-                if (_e57 > param_15) {
-                    if (_e57 < 1f) {
-                        let _e110 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_15, 1f);
-                        let _e111 = (1f - _e110);
-                        if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                            phi_862_ = _e111;
+            let _e108 = phi_977_;
+            let _e110 = phi_978_;
+            if _e110 {
+                if (_e60 > param_10) {
+                    if (_e60 < 1f) {
+                        let _e113 = lt_math_hausdorff_cubic_mass(_e42, 0f, _e60, param_10, 1f);
+                        let _e114 = (1f - _e113);
+                        if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
+                            phi_1008_ = _e114;
                         } else {
-                            if (_e111 < 0f) {
-                                phi_861_ = 0f;
+                            if (_e114 < 0f) {
+                                phi_1007_ = 0f;
                             } else {
-                                if (_e111 > 1f) {
-                                    phi_860_ = 1f;
+                                if (_e114 > 1f) {
+                                    phi_1006_ = 1f;
                                 } else {
-                                    phi_860_ = _e111;
+                                    phi_1006_ = _e114;
                                 }
-                                let _e118 = phi_860_;
-                                phi_861_ = _e118;
+                                let _e121 = phi_1006_;
+                                phi_1007_ = _e121;
                             }
-                            let _e120 = phi_861_;
-                            phi_862_ = _e120;
+                            let _e123 = phi_1007_;
+                            phi_1008_ = _e123;
                         }
-                        let _e122 = phi_862_;
-                        phi_863_ = _e122;
-                        phi_864_ = false;
+                        let _e125 = phi_1008_;
+                        phi_1009_ = _e125;
+                        phi_1010_ = false;
                     } else {
-                        phi_863_ = f32();
-                        phi_864_ = true;
+                        phi_1009_ = f32();
+                        phi_1010_ = true;
                     }
-                    let _e124 = phi_863_;
-                    let _e126 = phi_864_;
-                    phi_865_ = _e124;
-                    phi_866_ = _e126;
+                    let _e127 = phi_1009_;
+                    let _e129 = phi_1010_;
+                    phi_1011_ = _e127;
+                    phi_1012_ = _e129;
                 } else {
-                    phi_865_ = f32();
-                    phi_866_ = true;
+                    phi_1011_ = f32();
+                    phi_1012_ = true;
                 }
-                let _e128 = phi_865_;
-                let _e130 = phi_866_;
-                if _e130 {
-                    phi_873_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
+                let _e131 = phi_1011_;
+                let _e133 = phi_1012_;
+                if _e133 {
+                    phi_1019_ = bitcast<f32>((bitcast<u32>(_e60) | 2143289344u));
                 } else {
-                    phi_873_ = _e128;
+                    phi_1019_ = _e131;
                 }
-                let _e135 = phi_873_;
-                phi_874_ = _e135;
+                let _e138 = phi_1019_;
+                phi_1020_ = _e138;
             } else {
-                phi_874_ = _e105;
+                phi_1020_ = _e108;
             }
-            let _e137 = phi_874_;
-            phi_875_ = _e137;
+            let _e140 = phi_1020_;
+            phi_1021_ = _e140;
         }
-        let _e139 = phi_875_;
-        phi_876_ = _e139;
+        let _e142 = phi_1021_;
+        phi_1022_ = _e142;
     }
-    let _e141 = phi_876_;
-    return _e141;
+    let _e144 = phi_1022_;
+    return _e144;
 }
 
-fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_16: ptr<function, f32>, param_17: vec4<f32>, param_18: f32) -> f32 {
+fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_11: ptr<function, f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
     var local_1: hankel_HankelFactors;
-    var phi_301_: f32;
-    var phi_302_: f32;
-    var phi_303_: f32;
-    var phi_341_: f32;
-    var phi_342_: f32;
-    var phi_343_: f32;
-    var phi_344_: f32;
-    var phi_345_: bool;
-    var phi_346_: f32;
-    var phi_347_: bool;
-    var phi_403_: vec2<f32>;
-    var phi_441_: f32;
-    var phi_442_: f32;
-    var phi_443_: f32;
-    var phi_476_: f32;
-    var phi_477_: f32;
-    var phi_478_: f32;
-    var phi_482_: f32;
-    var phi_483_: f32;
-    var phi_484_: f32;
-    var phi_485_: f32;
-    var phi_538_: vec2<f32>;
-    var phi_578_: f32;
-    var phi_579_: f32;
-    var phi_580_: f32;
-    var phi_581_: f32;
-    var phi_582_: bool;
-    var phi_583_: f32;
-    var phi_584_: bool;
-    var phi_640_: vec2<f32>;
-    var phi_678_: f32;
-    var phi_679_: f32;
-    var phi_680_: f32;
-    var phi_713_: f32;
-    var phi_714_: f32;
-    var phi_715_: f32;
+    var phi_223_: f32;
+    var phi_224_: f32;
+    var phi_225_: f32;
+    var phi_237_: bool;
+    var phi_252_: bool;
+    var phi_277_: f32;
+    var phi_278_: f32;
+    var phi_279_: f32;
+    var phi_280_: f32;
+    var phi_281_: bool;
+    var phi_282_: f32;
+    var phi_283_: bool;
+    var phi_339_: vec2<f32>;
+    var phi_377_: f32;
+    var phi_378_: f32;
+    var phi_379_: f32;
+    var phi_412_: f32;
+    var phi_413_: f32;
+    var phi_414_: f32;
+    var phi_418_: f32;
+    var phi_419_: f32;
+    var phi_420_: f32;
+    var phi_421_: f32;
+    var phi_474_: vec2<f32>;
+    var phi_496_: bool;
+    var phi_521_: f32;
+    var phi_522_: f32;
+    var phi_523_: f32;
+    var phi_524_: f32;
+    var phi_525_: bool;
+    var phi_526_: f32;
+    var phi_527_: bool;
+    var phi_583_: vec2<f32>;
+    var phi_621_: f32;
+    var phi_622_: f32;
+    var phi_623_: f32;
+    var phi_656_: f32;
+    var phi_657_: f32;
+    var phi_658_: f32;
+    var phi_662_: f32;
+    var phi_663_: f32;
+    var phi_664_: f32;
+    var phi_665_: f32;
+    var phi_666_: f32;
+    var phi_667_: bool;
+    var phi_668_: f32;
+    var phi_669_: bool;
+    var phi_691_: bool;
+    var phi_716_: f32;
+    var phi_717_: f32;
+    var phi_718_: f32;
     var phi_719_: f32;
-    var phi_720_: f32;
+    var phi_720_: bool;
     var phi_721_: f32;
-    var phi_722_: f32;
-    var phi_723_: f32;
-    var phi_724_: bool;
-    var phi_725_: f32;
-    var phi_726_: bool;
-    var phi_737_: f32;
-    var phi_738_: f32;
-    var phi_739_: f32;
+    var phi_722_: bool;
+    var phi_778_: vec2<f32>;
+    var phi_816_: f32;
+    var phi_817_: f32;
+    var phi_818_: f32;
+    var phi_851_: f32;
+    var phi_852_: f32;
+    var phi_853_: f32;
+    var phi_857_: f32;
+    var phi_858_: f32;
+    var phi_859_: f32;
+    var phi_860_: f32;
+    var phi_877_: bool;
+    var phi_881_: f32;
+    var phi_882_: f32;
+    var phi_883_: f32;
+    var phi_884_: f32;
+    var phi_885_: f32;
 
-    let _e40 = (*param_16);
-    let _e41 = (1f - _e40);
-    let _e50 = (0.5f * _e40);
-    let _e51 = ((param_17.x * _e41) + _e50);
-    let _e52 = ((param_17.y * _e41) + _e50);
-    let _e53 = ((param_17.z * _e41) + _e50);
-    let _e54 = ((param_17.w * _e41) + _e50);
-    let _e57 = (_e52 - (_e51 * _e51));
-    let _e59 = (_e53 - (_e51 * _e52));
-    let _e65 = hankel_HankelFactors(vec4<f32>(_e51, _e52, _e53, _e54), _e57, _e59, (((_e54 - (_e52 * _e52)) * _e57) - (_e59 * _e59)));
-    local_1 = hankel_HankelFactors(_e65.moments, _e65.d22_, _e65.l32_d22_, _e65.d33_d22_);
-    if ((bitcast<u32>(param_18) & 2147483647u) > 2139095040u) {
-        phi_303_ = param_18;
+    let _e43 = (*param_11);
+    let _e44 = (1f - _e43);
+    let _e53 = (0.5f * _e43);
+    let _e54 = ((param_12.x * _e44) + _e53);
+    let _e55 = ((param_12.y * _e44) + _e53);
+    let _e56 = ((param_12.z * _e44) + _e53);
+    let _e57 = ((param_12.w * _e44) + _e53);
+    let _e60 = (_e55 - (_e54 * _e54));
+    let _e62 = (_e56 - (_e54 * _e55));
+    let _e68 = hankel_HankelFactors(vec4<f32>(_e54, _e55, _e56, _e57), _e60, _e62, (((_e57 - (_e55 * _e55)) * _e60) - (_e62 * _e62)));
+    local_1 = hankel_HankelFactors(_e68.moments, _e68.d22_, _e68.l32_d22_, _e68.d33_d22_);
+    if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
+        phi_225_ = param_13;
     } else {
-        if (param_18 < 0f) {
-            phi_302_ = 0f;
+        if (param_13 < 0f) {
+            phi_224_ = 0f;
         } else {
-            if (param_18 > 1f) {
-                phi_301_ = 1f;
+            if (param_13 > 1f) {
+                phi_223_ = 1f;
             } else {
-                phi_301_ = param_18;
+                phi_223_ = param_13;
             }
-            let _e77 = phi_301_;
-            phi_302_ = _e77;
+            let _e80 = phi_223_;
+            phi_224_ = _e80;
         }
-        let _e79 = phi_302_;
-        phi_303_ = _e79;
+        let _e82 = phi_224_;
+        phi_225_ = _e82;
     }
-    let _e81 = phi_303_;
-    let _e84 = local_1.moments[0u];
-    let _e87 = local_1.moments[3u];
-    if (_e84 == _e87) {
-        let _e91 = local_1.moments[0u];
-        let _e94 = local_1.moments[3u];
-        if (_e91 == _e94) {
-            if (_e81 > 0f) {
-                let _e98 = local_1.moments;
-                if ((bitcast<u32>(_e98.x) & 2147483647u) > 2139095040u) {
-                    phi_343_ = _e98.x;
-                } else {
-                    if (_e98.x < 0f) {
-                        phi_342_ = 0f;
-                    } else {
-                        if (_e98.x > 1f) {
-                            phi_341_ = 1f;
-                        } else {
-                            phi_341_ = _e98.x;
-                        }
-                        let _e106 = phi_341_;
-                        phi_342_ = _e106;
-                    }
-                    let _e108 = phi_342_;
-                    phi_343_ = _e108;
-                }
-                let _e110 = phi_343_;
-                phi_344_ = _e110;
-                phi_345_ = false;
-            } else {
-                phi_344_ = f32();
-                phi_345_ = true;
-            }
-            let _e112 = phi_344_;
-            let _e114 = phi_345_;
-            phi_346_ = _e112;
-            phi_347_ = _e114;
-        } else {
-            phi_346_ = f32();
-            phi_347_ = true;
-        }
-        let _e116 = phi_346_;
-        let _e118 = phi_347_;
-        if _e118 {
-            let _e121 = local_1.moments[0u];
-            let _e124 = local_1.moments[1u];
-            let _e132 = local_1.l32_d22_;
-            let _e134 = local_1.d22_;
-            let _e135 = (_e132 / _e134);
-            let _e136 = (_e81 - _e121);
-            let _e142 = local_1.d22_;
-            let _e145 = local_1.d33_d22_;
-            let _e146 = (((((_e81 * _e81) - _e124) - (_e135 * _e136)) * _e142) / _e145);
-            let _e148 = local_1.d22_;
-            let _e151 = ((_e136 / _e148) - (_e135 * _e146));
-            let _e157 = ((0.5f * _e151) / _e146);
-            let _e160 = ((_e157 * _e157) - (((1f - (_e151 * _e121)) - (_e146 * _e124)) / _e146));
-            if (_e160 >= 0f) {
-                let _e162 = sqrt(_e160);
-                phi_403_ = vec2<f32>((-(_e157) - _e162), (-(_e157) + _e162));
-            } else {
-                phi_403_ = vec2(bitcast<f32>((bitcast<u32>(_e160) | 2143289344u)));
-            }
-            let _e173 = phi_403_;
-            if (_e81 <= _e173.x) {
-                phi_484_ = 1f;
-            } else {
-                if (_e81 > _e173.y) {
-                    let _e179 = local_1.moments;
-                    let _e190 = (((_e179.y - (_e179.x * (_e173.x + _e173.y))) + (_e173.x * _e173.y)) / ((_e81 - _e173.x) * (_e81 - _e173.y)));
-                    if ((bitcast<u32>(_e190) & 2147483647u) > 2139095040u) {
-                        phi_443_ = _e190;
-                    } else {
-                        if (_e190 < 0f) {
-                            phi_442_ = 0f;
-                        } else {
-                            if (_e190 > 1f) {
-                                phi_441_ = 1f;
-                            } else {
-                                phi_441_ = _e190;
-                            }
-                            let _e197 = phi_441_;
-                            phi_442_ = _e197;
-                        }
-                        let _e199 = phi_442_;
-                        phi_443_ = _e199;
-                    }
-                    let _e201 = phi_443_;
-                    phi_483_ = _e201;
-                } else {
-                    if (_e81 > _e173.x) {
-                        let _e204 = local_1.moments;
-                        let _e216 = (1f - (((_e204.y - (_e204.x * (_e81 + _e173.y))) + (_e81 * _e173.y)) / ((_e173.x - _e81) * (_e173.x - _e173.y))));
-                        if ((bitcast<u32>(_e216) & 2147483647u) > 2139095040u) {
-                            phi_478_ = _e216;
-                        } else {
-                            if (_e216 < 0f) {
-                                phi_477_ = 0f;
-                            } else {
-                                if (_e216 > 1f) {
-                                    phi_476_ = 1f;
-                                } else {
-                                    phi_476_ = _e216;
-                                }
-                                let _e223 = phi_476_;
-                                phi_477_ = _e223;
-                            }
-                            let _e225 = phi_477_;
-                            phi_478_ = _e225;
-                        }
-                        let _e227 = phi_478_;
-                        phi_482_ = _e227;
-                    } else {
-                        phi_482_ = bitcast<f32>((bitcast<u32>(_e173.x) | 2143289344u));
-                    }
-                    let _e232 = phi_482_;
-                    phi_483_ = _e232;
-                }
-                let _e234 = phi_483_;
-                phi_484_ = _e234;
-            }
-            let _e236 = phi_484_;
-            phi_485_ = _e236;
-        } else {
-            phi_485_ = _e116;
-        }
-        let _e238 = phi_485_;
-        phi_739_ = _e238;
+    let _e84 = phi_225_;
+    let _e87 = local_1.moments[0u];
+    let _e90 = local_1.moments[3u];
+    if (_e87 == _e90) {
+        let _e94 = local_1.moments[0u];
+        phi_237_ = (_e94 > 0.5f);
     } else {
-        let _e241 = local_1.moments[0u];
-        let _e244 = local_1.moments[1u];
-        let _e252 = local_1.l32_d22_;
-        let _e254 = local_1.d22_;
-        let _e255 = (_e252 / _e254);
-        let _e256 = (_e81 - _e241);
-        let _e262 = local_1.d22_;
-        let _e265 = local_1.d33_d22_;
-        let _e266 = (((((_e81 * _e81) - _e244) - (_e255 * _e256)) * _e262) / _e265);
-        let _e268 = local_1.d22_;
-        let _e271 = ((_e256 / _e268) - (_e255 * _e266));
-        let _e277 = ((0.5f * _e271) / _e266);
-        let _e280 = ((_e277 * _e277) - (((1f - (_e271 * _e241)) - (_e266 * _e244)) / _e266));
-        if (_e280 >= 0f) {
-            let _e282 = sqrt(_e280);
-            phi_538_ = vec2<f32>((-(_e277) - _e282), (-(_e277) + _e282));
+        phi_237_ = false;
+    }
+    let _e97 = phi_237_;
+    if _e97 {
+        let _e100 = local_1.moments[0u];
+        let _e103 = local_1.moments[3u];
+        if (_e100 == _e103) {
+            let _e107 = local_1.moments[0u];
+            phi_252_ = (_e107 > 0.5f);
         } else {
-            phi_538_ = vec2(bitcast<f32>((bitcast<u32>(_e280) | 2143289344u)));
+            phi_252_ = false;
         }
-        let _e293 = phi_538_;
-        if (_e293.x >= 0f) {
-            if (_e293.y <= 1f) {
-                let _e300 = local_1.moments[0u];
-                let _e303 = local_1.moments[3u];
-                if (_e300 == _e303) {
-                    if (_e81 > 0f) {
-                        let _e307 = local_1.moments;
-                        if ((bitcast<u32>(_e307.x) & 2147483647u) > 2139095040u) {
-                            phi_580_ = _e307.x;
-                        } else {
-                            if (_e307.x < 0f) {
-                                phi_579_ = 0f;
-                            } else {
-                                if (_e307.x > 1f) {
-                                    phi_578_ = 1f;
-                                } else {
-                                    phi_578_ = _e307.x;
-                                }
-                                let _e315 = phi_578_;
-                                phi_579_ = _e315;
-                            }
-                            let _e317 = phi_579_;
-                            phi_580_ = _e317;
-                        }
-                        let _e319 = phi_580_;
-                        phi_581_ = _e319;
-                        phi_582_ = false;
-                    } else {
-                        phi_581_ = f32();
-                        phi_582_ = true;
-                    }
-                    let _e321 = phi_581_;
-                    let _e323 = phi_582_;
-                    phi_583_ = _e321;
-                    phi_584_ = _e323;
+        let _e110 = phi_252_;
+        if _e110 {
+            if (_e84 > 0f) {
+                let _e113 = local_1.moments;
+                if ((bitcast<u32>(_e113.x) & 2147483647u) > 2139095040u) {
+                    phi_279_ = _e113.x;
                 } else {
-                    phi_583_ = f32();
-                    phi_584_ = true;
-                }
-                let _e325 = phi_583_;
-                let _e327 = phi_584_;
-                if _e327 {
-                    let _e330 = local_1.moments[0u];
-                    let _e333 = local_1.moments[1u];
-                    let _e341 = local_1.l32_d22_;
-                    let _e343 = local_1.d22_;
-                    let _e344 = (_e341 / _e343);
-                    let _e345 = (_e81 - _e330);
-                    let _e351 = local_1.d22_;
-                    let _e354 = local_1.d33_d22_;
-                    let _e355 = (((((_e81 * _e81) - _e333) - (_e344 * _e345)) * _e351) / _e354);
-                    let _e357 = local_1.d22_;
-                    let _e360 = ((_e345 / _e357) - (_e344 * _e355));
-                    let _e366 = ((0.5f * _e360) / _e355);
-                    let _e369 = ((_e366 * _e366) - (((1f - (_e360 * _e330)) - (_e355 * _e333)) / _e355));
-                    if (_e369 >= 0f) {
-                        let _e371 = sqrt(_e369);
-                        phi_640_ = vec2<f32>((-(_e366) - _e371), (-(_e366) + _e371));
+                    if (_e113.x < 0f) {
+                        phi_278_ = 0f;
                     } else {
-                        phi_640_ = vec2(bitcast<f32>((bitcast<u32>(_e369) | 2143289344u)));
-                    }
-                    let _e382 = phi_640_;
-                    if (_e81 <= _e382.x) {
-                        phi_721_ = 1f;
-                    } else {
-                        if (_e81 > _e382.y) {
-                            let _e388 = local_1.moments;
-                            let _e399 = (((_e388.y - (_e388.x * (_e382.x + _e382.y))) + (_e382.x * _e382.y)) / ((_e81 - _e382.x) * (_e81 - _e382.y)));
-                            if ((bitcast<u32>(_e399) & 2147483647u) > 2139095040u) {
-                                phi_680_ = _e399;
-                            } else {
-                                if (_e399 < 0f) {
-                                    phi_679_ = 0f;
-                                } else {
-                                    if (_e399 > 1f) {
-                                        phi_678_ = 1f;
-                                    } else {
-                                        phi_678_ = _e399;
-                                    }
-                                    let _e406 = phi_678_;
-                                    phi_679_ = _e406;
-                                }
-                                let _e408 = phi_679_;
-                                phi_680_ = _e408;
-                            }
-                            let _e410 = phi_680_;
-                            phi_720_ = _e410;
+                        if (_e113.x > 1f) {
+                            phi_277_ = 1f;
                         } else {
-                            if (_e81 > _e382.x) {
-                                let _e413 = local_1.moments;
-                                let _e425 = (1f - (((_e413.y - (_e413.x * (_e81 + _e382.y))) + (_e81 * _e382.y)) / ((_e382.x - _e81) * (_e382.x - _e382.y))));
-                                if ((bitcast<u32>(_e425) & 2147483647u) > 2139095040u) {
-                                    phi_715_ = _e425;
+                            phi_277_ = _e113.x;
+                        }
+                        let _e121 = phi_277_;
+                        phi_278_ = _e121;
+                    }
+                    let _e123 = phi_278_;
+                    phi_279_ = _e123;
+                }
+                let _e125 = phi_279_;
+                phi_280_ = _e125;
+                phi_281_ = false;
+            } else {
+                phi_280_ = f32();
+                phi_281_ = true;
+            }
+            let _e127 = phi_280_;
+            let _e129 = phi_281_;
+            phi_282_ = _e127;
+            phi_283_ = _e129;
+        } else {
+            phi_282_ = f32();
+            phi_283_ = true;
+        }
+        let _e131 = phi_282_;
+        let _e133 = phi_283_;
+        if _e133 {
+            let _e136 = local_1.moments[0u];
+            let _e139 = local_1.moments[1u];
+            let _e147 = local_1.l32_d22_;
+            let _e149 = local_1.d22_;
+            let _e150 = (_e147 / _e149);
+            let _e151 = (_e84 - _e136);
+            let _e157 = local_1.d22_;
+            let _e160 = local_1.d33_d22_;
+            let _e161 = (((((_e84 * _e84) - _e139) - (_e150 * _e151)) * _e157) / _e160);
+            let _e163 = local_1.d22_;
+            let _e166 = ((_e151 / _e163) - (_e150 * _e161));
+            let _e172 = ((0.5f * _e166) / _e161);
+            let _e175 = ((_e172 * _e172) - (((1f - (_e166 * _e136)) - (_e161 * _e139)) / _e161));
+            if (_e175 >= 0f) {
+                let _e177 = sqrt(_e175);
+                phi_339_ = vec2<f32>((-(_e172) - _e177), (-(_e172) + _e177));
+            } else {
+                phi_339_ = vec2(bitcast<f32>((bitcast<u32>(_e175) | 2143289344u)));
+            }
+            let _e188 = phi_339_;
+            if (_e84 <= _e188.x) {
+                phi_420_ = 1f;
+            } else {
+                if (_e84 > _e188.y) {
+                    let _e194 = local_1.moments;
+                    let _e205 = (((_e194.y - (_e194.x * (_e188.x + _e188.y))) + (_e188.x * _e188.y)) / ((_e84 - _e188.x) * (_e84 - _e188.y)));
+                    if ((bitcast<u32>(_e205) & 2147483647u) > 2139095040u) {
+                        phi_379_ = _e205;
+                    } else {
+                        if (_e205 < 0f) {
+                            phi_378_ = 0f;
+                        } else {
+                            if (_e205 > 1f) {
+                                phi_377_ = 1f;
+                            } else {
+                                phi_377_ = _e205;
+                            }
+                            let _e212 = phi_377_;
+                            phi_378_ = _e212;
+                        }
+                        let _e214 = phi_378_;
+                        phi_379_ = _e214;
+                    }
+                    let _e216 = phi_379_;
+                    phi_419_ = _e216;
+                } else {
+                    if (_e84 > _e188.x) {
+                        let _e219 = local_1.moments;
+                        let _e231 = (1f - (((_e219.y - (_e219.x * (_e84 + _e188.y))) + (_e84 * _e188.y)) / ((_e188.x - _e84) * (_e188.x - _e188.y))));
+                        if ((bitcast<u32>(_e231) & 2147483647u) > 2139095040u) {
+                            phi_414_ = _e231;
+                        } else {
+                            if (_e231 < 0f) {
+                                phi_413_ = 0f;
+                            } else {
+                                if (_e231 > 1f) {
+                                    phi_412_ = 1f;
                                 } else {
-                                    if (_e425 < 0f) {
-                                        phi_714_ = 0f;
+                                    phi_412_ = _e231;
+                                }
+                                let _e238 = phi_412_;
+                                phi_413_ = _e238;
+                            }
+                            let _e240 = phi_413_;
+                            phi_414_ = _e240;
+                        }
+                        let _e242 = phi_414_;
+                        phi_418_ = _e242;
+                    } else {
+                        phi_418_ = bitcast<f32>((bitcast<u32>(_e188.x) | 2143289344u));
+                    }
+                    let _e247 = phi_418_;
+                    phi_419_ = _e247;
+                }
+                let _e249 = phi_419_;
+                phi_420_ = _e249;
+            }
+            let _e251 = phi_420_;
+            phi_421_ = _e251;
+        } else {
+            phi_421_ = _e131;
+        }
+        let _e253 = phi_421_;
+        phi_885_ = _e253;
+    } else {
+        let _e256 = local_1.moments[0u];
+        let _e259 = local_1.moments[1u];
+        let _e267 = local_1.l32_d22_;
+        let _e269 = local_1.d22_;
+        let _e270 = (_e267 / _e269);
+        let _e271 = (_e84 - _e256);
+        let _e277 = local_1.d22_;
+        let _e280 = local_1.d33_d22_;
+        let _e281 = (((((_e84 * _e84) - _e259) - (_e270 * _e271)) * _e277) / _e280);
+        let _e283 = local_1.d22_;
+        let _e286 = ((_e271 / _e283) - (_e270 * _e281));
+        let _e292 = ((0.5f * _e286) / _e281);
+        let _e295 = ((_e292 * _e292) - (((1f - (_e286 * _e256)) - (_e281 * _e259)) / _e281));
+        if (_e295 >= 0f) {
+            let _e297 = sqrt(_e295);
+            phi_474_ = vec2<f32>((-(_e292) - _e297), (-(_e292) + _e297));
+        } else {
+            phi_474_ = vec2(bitcast<f32>((bitcast<u32>(_e295) | 2143289344u)));
+        }
+        let _e308 = phi_474_;
+        if (_e308.x >= 0f) {
+            if (_e308.y <= 1f) {
+                let _e315 = local_1.moments[0u];
+                let _e318 = local_1.moments[3u];
+                if (_e315 == _e318) {
+                    let _e322 = local_1.moments[0u];
+                    phi_496_ = (_e322 > 0.5f);
+                } else {
+                    phi_496_ = false;
+                }
+                let _e325 = phi_496_;
+                if _e325 {
+                    if (_e84 > 0f) {
+                        let _e328 = local_1.moments;
+                        if ((bitcast<u32>(_e328.x) & 2147483647u) > 2139095040u) {
+                            phi_523_ = _e328.x;
+                        } else {
+                            if (_e328.x < 0f) {
+                                phi_522_ = 0f;
+                            } else {
+                                if (_e328.x > 1f) {
+                                    phi_521_ = 1f;
+                                } else {
+                                    phi_521_ = _e328.x;
+                                }
+                                let _e336 = phi_521_;
+                                phi_522_ = _e336;
+                            }
+                            let _e338 = phi_522_;
+                            phi_523_ = _e338;
+                        }
+                        let _e340 = phi_523_;
+                        phi_524_ = _e340;
+                        phi_525_ = false;
+                    } else {
+                        phi_524_ = f32();
+                        phi_525_ = true;
+                    }
+                    let _e342 = phi_524_;
+                    let _e344 = phi_525_;
+                    phi_526_ = _e342;
+                    phi_527_ = _e344;
+                } else {
+                    phi_526_ = f32();
+                    phi_527_ = true;
+                }
+                let _e346 = phi_526_;
+                let _e348 = phi_527_;
+                if _e348 {
+                    let _e351 = local_1.moments[0u];
+                    let _e354 = local_1.moments[1u];
+                    let _e362 = local_1.l32_d22_;
+                    let _e364 = local_1.d22_;
+                    let _e365 = (_e362 / _e364);
+                    let _e366 = (_e84 - _e351);
+                    let _e372 = local_1.d22_;
+                    let _e375 = local_1.d33_d22_;
+                    let _e376 = (((((_e84 * _e84) - _e354) - (_e365 * _e366)) * _e372) / _e375);
+                    let _e378 = local_1.d22_;
+                    let _e381 = ((_e366 / _e378) - (_e365 * _e376));
+                    let _e387 = ((0.5f * _e381) / _e376);
+                    let _e390 = ((_e387 * _e387) - (((1f - (_e381 * _e351)) - (_e376 * _e354)) / _e376));
+                    if (_e390 >= 0f) {
+                        let _e392 = sqrt(_e390);
+                        phi_583_ = vec2<f32>((-(_e387) - _e392), (-(_e387) + _e392));
+                    } else {
+                        phi_583_ = vec2(bitcast<f32>((bitcast<u32>(_e390) | 2143289344u)));
+                    }
+                    let _e403 = phi_583_;
+                    if (_e84 <= _e403.x) {
+                        phi_664_ = 1f;
+                    } else {
+                        if (_e84 > _e403.y) {
+                            let _e409 = local_1.moments;
+                            let _e420 = (((_e409.y - (_e409.x * (_e403.x + _e403.y))) + (_e403.x * _e403.y)) / ((_e84 - _e403.x) * (_e84 - _e403.y)));
+                            if ((bitcast<u32>(_e420) & 2147483647u) > 2139095040u) {
+                                phi_623_ = _e420;
+                            } else {
+                                if (_e420 < 0f) {
+                                    phi_622_ = 0f;
+                                } else {
+                                    if (_e420 > 1f) {
+                                        phi_621_ = 1f;
                                     } else {
-                                        if (_e425 > 1f) {
-                                            phi_713_ = 1f;
+                                        phi_621_ = _e420;
+                                    }
+                                    let _e427 = phi_621_;
+                                    phi_622_ = _e427;
+                                }
+                                let _e429 = phi_622_;
+                                phi_623_ = _e429;
+                            }
+                            let _e431 = phi_623_;
+                            phi_663_ = _e431;
+                        } else {
+                            if (_e84 > _e403.x) {
+                                let _e434 = local_1.moments;
+                                let _e446 = (1f - (((_e434.y - (_e434.x * (_e84 + _e403.y))) + (_e84 * _e403.y)) / ((_e403.x - _e84) * (_e403.x - _e403.y))));
+                                if ((bitcast<u32>(_e446) & 2147483647u) > 2139095040u) {
+                                    phi_658_ = _e446;
+                                } else {
+                                    if (_e446 < 0f) {
+                                        phi_657_ = 0f;
+                                    } else {
+                                        if (_e446 > 1f) {
+                                            phi_656_ = 1f;
                                         } else {
-                                            phi_713_ = _e425;
+                                            phi_656_ = _e446;
                                         }
-                                        let _e432 = phi_713_;
-                                        phi_714_ = _e432;
+                                        let _e453 = phi_656_;
+                                        phi_657_ = _e453;
                                     }
-                                    let _e434 = phi_714_;
-                                    phi_715_ = _e434;
+                                    let _e455 = phi_657_;
+                                    phi_658_ = _e455;
                                 }
-                                let _e436 = phi_715_;
-                                phi_719_ = _e436;
+                                let _e457 = phi_658_;
+                                phi_662_ = _e457;
                             } else {
-                                phi_719_ = bitcast<f32>((bitcast<u32>(_e382.x) | 2143289344u));
+                                phi_662_ = bitcast<f32>((bitcast<u32>(_e403.x) | 2143289344u));
                             }
-                            let _e441 = phi_719_;
-                            phi_720_ = _e441;
+                            let _e462 = phi_662_;
+                            phi_663_ = _e462;
                         }
-                        let _e443 = phi_720_;
-                        phi_721_ = _e443;
+                        let _e464 = phi_663_;
+                        phi_664_ = _e464;
                     }
-                    let _e445 = phi_721_;
-                    phi_722_ = _e445;
+                    let _e466 = phi_664_;
+                    phi_665_ = _e466;
                 } else {
-                    phi_722_ = _e325;
+                    phi_665_ = _e346;
                 }
-                let _e447 = phi_722_;
-                phi_723_ = _e447;
-                phi_724_ = false;
+                let _e468 = phi_665_;
+                phi_666_ = _e468;
+                phi_667_ = false;
             } else {
-                phi_723_ = f32();
-                phi_724_ = true;
+                phi_666_ = f32();
+                phi_667_ = true;
             }
-            let _e449 = phi_723_;
-            let _e451 = phi_724_;
-            phi_725_ = _e449;
-            phi_726_ = _e451;
+            let _e470 = phi_666_;
+            let _e472 = phi_667_;
+            phi_668_ = _e470;
+            phi_669_ = _e472;
         } else {
-            phi_725_ = f32();
-            phi_726_ = true;
+            phi_668_ = f32();
+            phi_669_ = true;
         }
-        let _e453 = phi_725_;
-        let _e455 = phi_726_;
-        if _e455 {
-            if ((bitcast<u32>(_e293.x) & 2147483647u) > 2139095040u) {
-                phi_737_ = _e293.x;
+        let _e474 = phi_668_;
+        let _e476 = phi_669_;
+        if _e476 {
+            if ((bitcast<u32>(_e308.x) & 2147483647u) > 2139095040u) {
+                phi_883_ = _e308.x;
             } else {
-                let _e459 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e81);
-                phi_737_ = _e459;
+                let _e480 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e84);
+                let _e483 = local_1.moments[0u];
+                let _e486 = local_1.moments[3u];
+                if (_e483 == _e486) {
+                    let _e490 = local_1.moments[0u];
+                    phi_691_ = (_e490 > 0.5f);
+                } else {
+                    phi_691_ = false;
+                }
+                let _e493 = phi_691_;
+                if _e493 {
+                    if (_e84 > 0f) {
+                        let _e496 = local_1.moments;
+                        if ((bitcast<u32>(_e496.x) & 2147483647u) > 2139095040u) {
+                            phi_718_ = _e496.x;
+                        } else {
+                            if (_e496.x < 0f) {
+                                phi_717_ = 0f;
+                            } else {
+                                if (_e496.x > 1f) {
+                                    phi_716_ = 1f;
+                                } else {
+                                    phi_716_ = _e496.x;
+                                }
+                                let _e504 = phi_716_;
+                                phi_717_ = _e504;
+                            }
+                            let _e506 = phi_717_;
+                            phi_718_ = _e506;
+                        }
+                        let _e508 = phi_718_;
+                        phi_719_ = _e508;
+                        phi_720_ = false;
+                    } else {
+                        phi_719_ = f32();
+                        phi_720_ = true;
+                    }
+                    let _e510 = phi_719_;
+                    let _e512 = phi_720_;
+                    phi_721_ = _e510;
+                    phi_722_ = _e512;
+                } else {
+                    phi_721_ = f32();
+                    phi_722_ = true;
+                }
+                let _e514 = phi_721_;
+                let _e516 = phi_722_;
+                if _e516 {
+                    let _e519 = local_1.moments[0u];
+                    let _e522 = local_1.moments[1u];
+                    let _e530 = local_1.l32_d22_;
+                    let _e532 = local_1.d22_;
+                    let _e533 = (_e530 / _e532);
+                    let _e534 = (_e84 - _e519);
+                    let _e540 = local_1.d22_;
+                    let _e543 = local_1.d33_d22_;
+                    let _e544 = (((((_e84 * _e84) - _e522) - (_e533 * _e534)) * _e540) / _e543);
+                    let _e546 = local_1.d22_;
+                    let _e549 = ((_e534 / _e546) - (_e533 * _e544));
+                    let _e555 = ((0.5f * _e549) / _e544);
+                    let _e558 = ((_e555 * _e555) - (((1f - (_e549 * _e519)) - (_e544 * _e522)) / _e544));
+                    if (_e558 >= 0f) {
+                        let _e560 = sqrt(_e558);
+                        phi_778_ = vec2<f32>((-(_e555) - _e560), (-(_e555) + _e560));
+                    } else {
+                        phi_778_ = vec2(bitcast<f32>((bitcast<u32>(_e558) | 2143289344u)));
+                    }
+                    let _e571 = phi_778_;
+                    if (_e84 <= _e571.x) {
+                        phi_859_ = 1f;
+                    } else {
+                        if (_e84 > _e571.y) {
+                            let _e577 = local_1.moments;
+                            let _e588 = (((_e577.y - (_e577.x * (_e571.x + _e571.y))) + (_e571.x * _e571.y)) / ((_e84 - _e571.x) * (_e84 - _e571.y)));
+                            if ((bitcast<u32>(_e588) & 2147483647u) > 2139095040u) {
+                                phi_818_ = _e588;
+                            } else {
+                                if (_e588 < 0f) {
+                                    phi_817_ = 0f;
+                                } else {
+                                    if (_e588 > 1f) {
+                                        phi_816_ = 1f;
+                                    } else {
+                                        phi_816_ = _e588;
+                                    }
+                                    let _e595 = phi_816_;
+                                    phi_817_ = _e595;
+                                }
+                                let _e597 = phi_817_;
+                                phi_818_ = _e597;
+                            }
+                            let _e599 = phi_818_;
+                            phi_858_ = _e599;
+                        } else {
+                            if (_e84 > _e571.x) {
+                                let _e602 = local_1.moments;
+                                let _e614 = (1f - (((_e602.y - (_e602.x * (_e84 + _e571.y))) + (_e84 * _e571.y)) / ((_e571.x - _e84) * (_e571.x - _e571.y))));
+                                if ((bitcast<u32>(_e614) & 2147483647u) > 2139095040u) {
+                                    phi_853_ = _e614;
+                                } else {
+                                    if (_e614 < 0f) {
+                                        phi_852_ = 0f;
+                                    } else {
+                                        if (_e614 > 1f) {
+                                            phi_851_ = 1f;
+                                        } else {
+                                            phi_851_ = _e614;
+                                        }
+                                        let _e621 = phi_851_;
+                                        phi_852_ = _e621;
+                                    }
+                                    let _e623 = phi_852_;
+                                    phi_853_ = _e623;
+                                }
+                                let _e625 = phi_853_;
+                                phi_857_ = _e625;
+                            } else {
+                                phi_857_ = bitcast<f32>((bitcast<u32>(_e571.x) | 2143289344u));
+                            }
+                            let _e630 = phi_857_;
+                            phi_858_ = _e630;
+                        }
+                        let _e632 = phi_858_;
+                        phi_859_ = _e632;
+                    }
+                    let _e634 = phi_859_;
+                    phi_860_ = _e634;
+                } else {
+                    phi_860_ = _e514;
+                }
+                let _e636 = phi_860_;
+                if ((bitcast<u32>(_e480) & 2147483647u) > 2139095040u) {
+                    phi_882_ = _e480;
+                } else {
+                    if ((bitcast<u32>(_e636) & 2147483647u) > 2139095040u) {
+                        phi_877_ = true;
+                    } else {
+                        let _e643 = (_e636 < _e480);
+                        if _e643 {
+                        }
+                        phi_877_ = _e643;
+                    }
+                    let _e645 = phi_877_;
+                    if _e645 {
+                        phi_881_ = _e636;
+                    } else {
+                        phi_881_ = _e480;
+                    }
+                    let _e647 = phi_881_;
+                    phi_882_ = _e647;
+                }
+                let _e649 = phi_882_;
+                phi_883_ = _e649;
             }
-            let _e461 = phi_737_;
-            phi_738_ = _e461;
+            let _e651 = phi_883_;
+            phi_884_ = _e651;
         } else {
-            phi_738_ = _e453;
+            phi_884_ = _e474;
         }
-        let _e463 = phi_738_;
-        phi_739_ = _e463;
+        let _e653 = phi_884_;
+        phi_885_ = _e653;
     }
-    let _e465 = phi_739_;
-    return _e465;
+    let _e655 = phi_885_;
+    return _e655;
 }
 
 fn function_() {
     var local_2: f32;
-    var phi_959_: bool;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_962_: bool;
-    var phi_966_: bool;
-    var phi_1001_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1005_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1098_: bool;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1101_: bool;
-    var phi_1102_: bool;
-    var phi_1103_: bool;
-    var phi_1104_: bool;
     var phi_1105_: bool;
     var phi_1106_: bool;
     var phi_1107_: bool;
     var phi_1108_: bool;
-    var phi_1109_: bool;
-    var phi_1113_: bool;
+    var phi_1112_: bool;
+    var phi_1156_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1160_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1237_: bool;
+    var phi_1246_: bool;
+    var phi_1255_: bool;
+    var phi_1256_: bool;
+    var phi_1257_: bool;
     var phi_1258_: bool;
-    var phi_1266_: bool;
-    var phi_1271_: f32;
-    var phi_1274_: evaluate_Verdict;
-    var phi_1275_: evaluate_Verdict;
-    var phi_1279_: bool;
-    var phi_1280_: u32;
-    var phi_1286_: u32;
+    var phi_1259_: bool;
+    var phi_1260_: bool;
+    var phi_1261_: bool;
+    var phi_1265_: bool;
+    var phi_1301_: f32;
+    var phi_1306_: f32;
+    var phi_1307_: bool;
+    var phi_1308_: f32;
+    var phi_1309_: bool;
+    var phi_1313_: f32;
+    var phi_1333_: f32;
+    var phi_1338_: f32;
+    var phi_1339_: bool;
+    var phi_1340_: f32;
+    var phi_1341_: bool;
+    var phi_1345_: f32;
+    var phi_1391_: i32;
+    var phi_1396_: i32;
+    var phi_1401_: i32;
+    var phi_1406_: i32;
+    var phi_1415_: i32;
+    var phi_1420_: i32;
+    var phi_1425_: i32;
+    var phi_1430_: i32;
+    var phi_1521_: bool;
+    var phi_1529_: bool;
+    var phi_1534_: f32;
+    var phi_1537_: evaluate_Verdict;
+    var phi_1538_: evaluate_Verdict;
+    var phi_1542_: bool;
+    var phi_1543_: u32;
+    var phi_1549_: u32;
 
-    let _e37 = id_1;
-    let _e38 = local_3;
-    let _e43 = arrayLength((&map.member));
-    if (_e38 == 0u) {
+    let _e40 = id_1;
+    let _e41 = local_3;
+    let _e46 = arrayLength((&map.member));
+    if (_e41 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e50 = p.member.size[0u];
-    let _e52 = p.member.size[1u];
-    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
-    if (bitcast<i32>(_e53.root) != 0i) {
-        let _e60 = p.member.light;
-        let _e63 = samples.member[_e53.first_primitive].normal[0u];
-        let _e65 = global[0u];
-        if (_e63 == _e65) {
-            let _e68 = samples.member[_e53.first_primitive].normal[1u];
-            let _e70 = global[1u];
-            if (_e68 == _e70) {
-                let _e73 = samples.member[_e53.first_primitive].normal[2u];
-                let _e75 = global[2u];
-                phi_959_ = (_e73 == _e75);
-                phi_960_ = false;
+    let _e53 = p.member.size[0u];
+    let _e55 = p.member.size[1u];
+    let _e56 = lt_shaders_entry_pixel_index(_e40, _e53, _e55);
+    if (bitcast<i32>(_e56.root) != 0i) {
+        let _e63 = p.member.light;
+        let _e66 = samples.member[_e56.first_primitive].normal[0u];
+        let _e68 = global[0u];
+        if (_e66 == _e68) {
+            let _e71 = samples.member[_e56.first_primitive].normal[1u];
+            let _e73 = global[1u];
+            if (_e71 == _e73) {
+                let _e76 = samples.member[_e56.first_primitive].normal[2u];
+                let _e78 = global[2u];
+                phi_1105_ = (_e76 == _e78);
+                phi_1106_ = false;
             } else {
-                phi_959_ = bool();
-                phi_960_ = true;
+                phi_1105_ = bool();
+                phi_1106_ = true;
             }
-            let _e78 = phi_959_;
-            let _e80 = phi_960_;
-            phi_961_ = _e78;
-            phi_962_ = _e80;
+            let _e81 = phi_1105_;
+            let _e83 = phi_1106_;
+            phi_1107_ = _e81;
+            phi_1108_ = _e83;
         } else {
-            phi_961_ = bool();
-            phi_962_ = true;
+            phi_1107_ = bool();
+            phi_1108_ = true;
         }
-        let _e82 = phi_961_;
-        let _e84 = phi_962_;
-        if _e84 {
-            phi_966_ = false;
+        let _e85 = phi_1107_;
+        let _e87 = phi_1108_;
+        if _e87 {
+            phi_1112_ = false;
         } else {
-            phi_966_ = _e82;
+            phi_1112_ = _e85;
         }
-        let _e86 = phi_966_;
-        if !(_e86) {
-            let _e89 = samples.member[_e53.first_primitive].normal;
-            let _e91 = samples.member[_e53.first_primitive].position;
-            let _e92 = lt_shaders_evaluate_to_light(_e91, _e60);
-            if ((((_e89.x * _e92.x) + (_e89.y * _e92.y)) + (_e89.z * _e92.z)) > 0f) {
-                let _e106 = samples.member[_e53.first_primitive].flags;
-                let _e114 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e120 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e114.unnamed.visibility, false), _e114.unnamed_1);
-                phi_1001_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e120.unnamed, ((_e106 & 1u) == 0u));
+        let _e89 = phi_1112_;
+        if !(_e89) {
+            let _e92 = samples.member[_e56.first_primitive].normal;
+            let _e94 = samples.member[_e56.first_primitive].position;
+            if ((((_e92.x * (_e63.x - (_e94.x * _e63.w))) + (_e92.y * (_e63.y - (_e94.y * _e63.w)))) + (_e92.z * (_e63.z - (_e94.z * _e63.w)))) > 0f) {
+                let _e118 = samples.member[_e56.first_primitive].flags;
+                let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
+                phi_1156_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, ((_e118 & 1u) == 0u));
             } else {
-                let _e129 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e129.unnamed.visibility, false), _e129.unnamed_1);
-                phi_1001_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e135.unnamed, true);
+                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
+                phi_1156_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, true);
             }
-            let _e140 = phi_1001_;
-            phi_1005_ = _e140;
+            let _e152 = phi_1156_;
+            phi_1160_ = _e152;
         } else {
-            let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e146.unnamed.visibility, false), _e146.unnamed_1);
-            phi_1005_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, true);
+            let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
+            phi_1160_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
         }
-        let _e157 = phi_1005_;
-        if _e157.unnamed_1 {
-            phi_1275_ = evaluate_Verdict(_e157.unnamed.visibility, _e157.unnamed.is_doubted);
+        let _e169 = phi_1160_;
+        if _e169.unnamed_1 {
+            phi_1538_ = evaluate_Verdict(_e169.unnamed.visibility, _e169.unnamed.is_doubted);
         } else {
-            let _e165 = samples.member[_e53.first_primitive].position;
-            let _e171 = p.member.projection.row_w;
-            let _e182 = ((((_e171.x * _e165.x) + (_e171.y * _e165.y)) + (_e171.z * _e165.z)) + (_e171.w * 1f));
-            let _e184 = p.member.projection.row_x;
-            let _e196 = (((((_e184.x * _e165.x) + (_e184.y * _e165.y)) + (_e184.z * _e165.z)) + (_e184.w * 1f)) / _e182);
-            let _e198 = p.member.projection.row_y;
-            let _e210 = (((((_e198.x * _e165.x) + (_e198.y * _e165.y)) + (_e198.z * _e165.z)) + (_e198.w * 1f)) / _e182);
-            let _e212 = p.member.projection.row_z;
-            let _e223 = ((((_e212.x * _e165.x) + (_e212.y * _e165.y)) + (_e212.z * _e165.z)) + (_e212.w * 1f));
-            if (_e182 > 0f) {
-                if (_e196 >= 0f) {
-                    if (_e196 <= 1f) {
-                        if (_e210 >= 0f) {
-                            if (_e210 <= 1f) {
-                                if (_e223 >= 0f) {
-                                    phi_1098_ = (_e223 <= 1f);
-                                    phi_1099_ = false;
-                                } else {
-                                    phi_1098_ = bool();
-                                    phi_1099_ = true;
-                                }
-                                let _e232 = phi_1098_;
-                                let _e234 = phi_1099_;
-                                phi_1100_ = _e232;
-                                phi_1101_ = _e234;
-                            } else {
-                                phi_1100_ = bool();
-                                phi_1101_ = true;
-                            }
-                            let _e236 = phi_1100_;
-                            let _e238 = phi_1101_;
-                            phi_1102_ = _e236;
-                            phi_1103_ = _e238;
-                        } else {
-                            phi_1102_ = bool();
-                            phi_1103_ = true;
-                        }
-                        let _e240 = phi_1102_;
-                        let _e242 = phi_1103_;
-                        phi_1104_ = _e240;
-                        phi_1105_ = _e242;
+            let _e177 = samples.member[_e56.first_primitive].position;
+            let _e183 = p.member.projection.row_w;
+            let _e194 = ((((_e183.x * _e177.x) + (_e183.y * _e177.y)) + (_e183.z * _e177.z)) + (_e183.w * 1f));
+            let _e196 = p.member.projection.row_x;
+            let _e208 = (((((_e196.x * _e177.x) + (_e196.y * _e177.y)) + (_e196.z * _e177.z)) + (_e196.w * 1f)) / _e194);
+            let _e210 = p.member.projection.row_y;
+            let _e222 = (((((_e210.x * _e177.x) + (_e210.y * _e177.y)) + (_e210.z * _e177.z)) + (_e210.w * 1f)) / _e194);
+            let _e224 = p.member.projection.row_z;
+            let _e235 = ((((_e224.x * _e177.x) + (_e224.y * _e177.y)) + (_e224.z * _e177.z)) + (_e224.w * 1f));
+            if (_e194 > 0f) {
+                if (_e208 >= 0f) {
+                    phi_1237_ = (_e208 <= 1f);
+                } else {
+                    phi_1237_ = false;
+                }
+                let _e240 = phi_1237_;
+                if _e240 {
+                    if (_e222 >= 0f) {
+                        phi_1246_ = (_e222 <= 1f);
                     } else {
-                        phi_1104_ = bool();
-                        phi_1105_ = true;
+                        phi_1246_ = false;
                     }
-                    let _e244 = phi_1104_;
-                    let _e246 = phi_1105_;
-                    phi_1106_ = _e244;
-                    phi_1107_ = _e246;
+                    let _e244 = phi_1246_;
+                    if _e244 {
+                        if (_e235 >= 0f) {
+                            phi_1255_ = (_e235 <= 1f);
+                        } else {
+                            phi_1255_ = false;
+                        }
+                        let _e248 = phi_1255_;
+                        phi_1256_ = _e248;
+                        phi_1257_ = false;
+                    } else {
+                        phi_1256_ = bool();
+                        phi_1257_ = true;
+                    }
+                    let _e250 = phi_1256_;
+                    let _e252 = phi_1257_;
+                    phi_1258_ = _e250;
+                    phi_1259_ = _e252;
                 } else {
-                    phi_1106_ = bool();
-                    phi_1107_ = true;
+                    phi_1258_ = bool();
+                    phi_1259_ = true;
                 }
-                let _e248 = phi_1106_;
-                let _e250 = phi_1107_;
-                phi_1108_ = _e248;
-                phi_1109_ = _e250;
+                let _e254 = phi_1258_;
+                let _e256 = phi_1259_;
+                phi_1260_ = _e254;
+                phi_1261_ = _e256;
             } else {
-                phi_1108_ = bool();
-                phi_1109_ = true;
+                phi_1260_ = bool();
+                phi_1261_ = true;
             }
-            let _e252 = phi_1108_;
-            let _e254 = phi_1109_;
-            if _e254 {
-                phi_1113_ = false;
+            let _e258 = phi_1260_;
+            let _e260 = phi_1261_;
+            if _e260 {
+                phi_1265_ = false;
             } else {
-                phi_1113_ = _e252;
+                phi_1265_ = _e258;
             }
-            let _e256 = phi_1113_;
-            if _e256 {
-                let _e258 = p.member.map_size;
-                let _e259 = f32(_e258);
-                let _e262 = ((_e196 * _e259) - 0.5f);
-                let _e263 = ((_e210 * _e259) - 0.5f);
-                let _e264 = floor(_e262);
-                let _e265 = floor(_e263);
-                let _e266 = (_e262 - _e264);
-                let _e267 = (_e263 - _e265);
-                let _e288 = ((1f - _e266) * (1f - _e267));
-                let _e290 = (_e266 * (1f - _e267));
-                let _e292 = ((1f - _e266) * _e267);
-                let _e293 = (_e266 * _e267);
-                let _e295 = p.member.test;
-                let _e296 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e295);
-                let _e298 = p.member.map_size;
-                local_2 = _e296;
-                let _e299 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)), select(0i, select(select(i32(_e265), i32(-2147483648), (_e265 < bitcast<f32>(3472883712u))), 2147483647i, (_e265 > bitcast<f32>(1325400063u))), (_e265 == _e265)), _e298);
-                if (_e299[0] < _e43) {
+            let _e262 = phi_1265_;
+            if _e262 {
+                let _e264 = p.member.map_size;
+                let _e265 = f32(_e264);
+                let _e268 = ((_e208 * _e265) - 0.5f);
+                let _e269 = ((_e222 * _e265) - 0.5f);
+                if (_e268 > -8388608f) {
+                    let _e281 = f32(select(0i, select(select(i32(_e268), i32(-2147483648), (_e268 < bitcast<f32>(3472883712u))), 2147483647i, (_e268 > bitcast<f32>(1325400063u))), (_e268 == _e268)));
+                    if (_e281 > _e268) {
+                        phi_1301_ = 1f;
+                    } else {
+                        phi_1301_ = 0f;
+                    }
+                    let _e284 = phi_1301_;
+                    if (_e268 < 8388608f) {
+                        phi_1306_ = (_e281 - _e284);
+                        phi_1307_ = false;
+                    } else {
+                        phi_1306_ = f32();
+                        phi_1307_ = true;
+                    }
+                    let _e287 = phi_1306_;
+                    let _e289 = phi_1307_;
+                    phi_1308_ = _e287;
+                    phi_1309_ = _e289;
+                } else {
+                    phi_1308_ = f32();
+                    phi_1309_ = true;
+                }
+                let _e291 = phi_1308_;
+                let _e293 = phi_1309_;
+                if _e293 {
+                    phi_1313_ = _e268;
+                } else {
+                    phi_1313_ = _e291;
+                }
+                let _e295 = phi_1313_;
+                if (_e269 > -8388608f) {
+                    let _e307 = f32(select(0i, select(select(i32(_e269), i32(-2147483648), (_e269 < bitcast<f32>(3472883712u))), 2147483647i, (_e269 > bitcast<f32>(1325400063u))), (_e269 == _e269)));
+                    if (_e307 > _e269) {
+                        phi_1333_ = 1f;
+                    } else {
+                        phi_1333_ = 0f;
+                    }
+                    let _e310 = phi_1333_;
+                    if (_e269 < 8388608f) {
+                        phi_1338_ = (_e307 - _e310);
+                        phi_1339_ = false;
+                    } else {
+                        phi_1338_ = f32();
+                        phi_1339_ = true;
+                    }
+                    let _e313 = phi_1338_;
+                    let _e315 = phi_1339_;
+                    phi_1340_ = _e313;
+                    phi_1341_ = _e315;
+                } else {
+                    phi_1340_ = f32();
+                    phi_1341_ = true;
+                }
+                let _e317 = phi_1340_;
+                let _e319 = phi_1341_;
+                if _e319 {
+                    phi_1345_ = _e269;
+                } else {
+                    phi_1345_ = _e317;
+                }
+                let _e321 = phi_1345_;
+                let _e322 = (_e268 - _e295);
+                let _e323 = (_e269 - _e321);
+                let _e332 = select(0i, select(select(i32(_e295), i32(-2147483648), (_e295 < bitcast<f32>(3472883712u))), 2147483647i, (_e295 > bitcast<f32>(1325400063u))), (_e295 == _e295));
+                let _e341 = select(0i, select(select(i32(_e321), i32(-2147483648), (_e321 < bitcast<f32>(3472883712u))), 2147483647i, (_e321 > bitcast<f32>(1325400063u))), (_e321 == _e321));
+                let _e344 = ((1f - _e322) * (1f - _e323));
+                let _e346 = (_e322 * (1f - _e323));
+                let _e348 = ((1f - _e322) * _e323);
+                let _e349 = (_e322 * _e323);
+                let _e351 = p.member.test;
+                let _e352 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e351);
+                let _e354 = p.member.map_size;
+                local_2 = _e352;
+                let _e356 = (bitcast<i32>(_e354) - 1i);
+                if (_e332 > 0i) {
+                    phi_1391_ = _e332;
+                } else {
+                    phi_1391_ = 0i;
+                }
+                let _e359 = phi_1391_;
+                if (_e341 > 0i) {
+                    phi_1396_ = _e341;
+                } else {
+                    phi_1396_ = 0i;
+                }
+                let _e362 = phi_1396_;
+                if (_e359 < _e356) {
+                    phi_1401_ = _e359;
+                } else {
+                    phi_1401_ = _e356;
+                }
+                let _e365 = phi_1401_;
+                if (_e362 < _e356) {
+                    phi_1406_ = _e362;
+                } else {
+                    phi_1406_ = _e356;
+                }
+                let _e368 = phi_1406_;
+                let _e369 = bitcast<u32>(_e365);
+                let _e371 = (_e332 + 1i);
+                let _e372 = (_e341 + 1i);
+                if (_e371 > 0i) {
+                    phi_1415_ = _e371;
+                } else {
+                    phi_1415_ = 0i;
+                }
+                let _e375 = phi_1415_;
+                if (_e372 > 0i) {
+                    phi_1420_ = _e372;
+                } else {
+                    phi_1420_ = 0i;
+                }
+                let _e378 = phi_1420_;
+                if (_e375 < _e356) {
+                    phi_1425_ = _e375;
+                } else {
+                    phi_1425_ = _e356;
+                }
+                let _e381 = phi_1425_;
+                if (_e378 < _e356) {
+                    phi_1430_ = _e378;
+                } else {
+                    phi_1430_ = _e356;
+                }
+                let _e384 = phi_1430_;
+                let _e385 = bitcast<u32>(_e381);
+                let _e387 = (bitcast<u32>(_e368) * _e354);
+                let _e388 = (bitcast<u32>(_e384) * _e354);
+                let _e389 = (_e387 + _e369);
+                let _e390 = (_e387 + _e385);
+                let _e391 = (_e388 + _e369);
+                let _e392 = (_e388 + _e385);
+                if (_e389 < _e46) {
                 } else {
                     return;
                 }
-                let _e304 = map.member[(0u + _e299[0])];
-                if (_e299[1] < _e43) {
+                let _e396 = map.member[(0u + _e389)];
+                if (_e390 < _e46) {
                 } else {
                     return;
                 }
-                let _e317 = map.member[(0u + _e299[1])];
-                if (_e299[2] < _e43) {
+                let _e408 = map.member[(0u + _e390)];
+                if (_e391 < _e46) {
                 } else {
                     return;
                 }
-                let _e334 = map.member[(0u + _e299[2])];
-                if (_e299[3] < _e43) {
+                let _e424 = map.member[(0u + _e391)];
+                if (_e392 < _e46) {
                 } else {
                     return;
                 }
-                let _e351 = map.member[(0u + _e299[3])];
-                let _e365 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e304.x * _e288) + (_e317.x * _e290)) + (_e334.x * _e292)) + (_e351.x * _e293)), ((((_e304.y * _e288) + (_e317.y * _e290)) + (_e334.y * _e292)) + (_e351.y * _e293)), ((((_e304.z * _e288) + (_e317.z * _e290)) + (_e334.z * _e292)) + (_e351.z * _e293)), ((((_e304.w * _e288) + (_e317.w * _e290)) + (_e334.w * _e292)) + (_e351.w * _e293))), _e223);
-                let _e367 = p.member.epsilon;
-                if (_e365 <= _e367) {
-                    phi_1258_ = true;
+                let _e440 = map.member[(0u + _e392)];
+                let _e454 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e396.x * _e344) + (_e408.x * _e346)) + (_e424.x * _e348)) + (_e440.x * _e349)), ((((_e396.y * _e344) + (_e408.y * _e346)) + (_e424.y * _e348)) + (_e440.y * _e349)), ((((_e396.z * _e344) + (_e408.z * _e346)) + (_e424.z * _e348)) + (_e440.z * _e349)), ((((_e396.w * _e344) + (_e408.w * _e346)) + (_e424.w * _e348)) + (_e440.w * _e349))), _e235);
+                let _e456 = p.member.epsilon;
+                if (_e454 <= _e456) {
+                    phi_1521_ = true;
                 } else {
-                    phi_1258_ = (_e365 >= (1f - _e367));
+                    phi_1521_ = (_e454 >= (1f - _e456));
                 }
-                let _e372 = phi_1258_;
-                if ((bitcast<u32>(_e365) & 2147483647u) > 2139095040u) {
-                    phi_1266_ = true;
+                let _e461 = phi_1521_;
+                if ((bitcast<u32>(_e454) & 2147483647u) > 2139095040u) {
+                    phi_1529_ = true;
                 } else {
-                    phi_1266_ = !(_e372);
+                    phi_1529_ = !(_e461);
                 }
-                let _e378 = phi_1266_;
-                if (_e365 > 0.5f) {
-                    phi_1271_ = 1f;
+                let _e467 = phi_1529_;
+                if (_e454 > 0.5f) {
+                    phi_1534_ = 1f;
                 } else {
-                    phi_1271_ = 0f;
+                    phi_1534_ = 0f;
                 }
-                let _e381 = phi_1271_;
-                phi_1274_ = evaluate_Verdict(_e381, _e378);
+                let _e470 = phi_1534_;
+                phi_1537_ = evaluate_Verdict(_e470, _e467);
             } else {
-                phi_1274_ = evaluate_Verdict(1f, true);
+                phi_1537_ = evaluate_Verdict(1f, true);
             }
-            let _e385 = phi_1274_;
-            phi_1275_ = _e385;
+            let _e474 = phi_1537_;
+            phi_1538_ = _e474;
         }
-        let _e387 = phi_1275_;
-        visibility.member[_e53.first_primitive] = _e387.visibility;
-        phi_1279_ = _e387.is_doubted;
-        phi_1280_ = _e53.first_primitive;
+        let _e476 = phi_1538_;
+        visibility.member[_e56.first_primitive] = _e476.visibility;
+        phi_1542_ = _e476.is_doubted;
+        phi_1543_ = _e56.first_primitive;
     } else {
-        phi_1279_ = false;
-        phi_1280_ = 0u;
+        phi_1542_ = false;
+        phi_1543_ = 0u;
     }
-    let _e392 = phi_1279_;
-    let _e394 = phi_1280_;
-    if _e392 {
-        let _e396 = atomicAdd((&shared_[0u]), 1u);
-        phi_1286_ = _e396;
+    let _e481 = phi_1542_;
+    let _e483 = phi_1543_;
+    if _e481 {
+        let _e485 = atomicAdd((&shared_[0u]), 1u);
+        phi_1549_ = _e485;
     } else {
-        phi_1286_ = 0u;
+        phi_1549_ = 0u;
     }
-    let _e398 = phi_1286_;
+    let _e487 = phi_1549_;
     workgroupBarrier();
-    if (_e38 == 0u) {
-        let _e402 = atomicLoad((&shared_[0u]));
-        let _e403 = atomicAdd((&list.member[3u]), _e402);
-        atomicStore((&shared_[1u]), _e403);
+    if (_e41 == 0u) {
+        let _e491 = atomicLoad((&shared_[0u]));
+        let _e492 = atomicAdd((&list.member[3u]), _e491);
+        atomicStore((&shared_[1u]), _e492);
     }
     workgroupBarrier();
-    if _e392 {
-        let _e406 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e406) + _e398)]), _e394);
+    if _e481 {
+        let _e495 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e495) + _e487)]), _e483);
     }
     return;
 }

@@ -18,11 +18,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_24 {
+struct type_22 {
     member: array<abi_Sample>,
 }
 
-struct type_28 {
+struct type_26 {
     member: array<f32>,
 }
 
@@ -44,7 +44,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_36 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -58,574 +58,629 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_43 {
+struct type_42 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_24;
+var<storage> samples: type_22;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_36;
+var<uniform> p: type_35;
 @group(0) @binding(2) 
-var<storage> map: type_28;
+var<storage> map: type_26;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_28;
+var<storage, read_write> visibility: type_26;
 var<private> local_2: u32;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_43;
+var<storage, read_write> list: type_42;
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_141_: lt_bvh_traverse_Tree;
-    var phi_142_: bool;
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
-    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_137_: lt_bvh_traverse_Tree;
+    var phi_138_: bool;
+    var phi_139_: lt_bvh_traverse_Tree;
+    var phi_140_: bool;
+    var phi_145_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_141_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_142_ = false;
+            phi_137_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_138_ = false;
         } else {
-            phi_141_ = lt_bvh_traverse_Tree();
-            phi_142_ = true;
+            phi_137_ = lt_bvh_traverse_Tree();
+            phi_138_ = true;
         }
-        let _e46 = phi_141_;
-        let _e48 = phi_142_;
-        phi_143_ = _e46;
-        phi_144_ = _e48;
+        let _e49 = phi_137_;
+        let _e51 = phi_138_;
+        phi_139_ = _e49;
+        phi_140_ = _e51;
     } else {
-        phi_143_ = lt_bvh_traverse_Tree();
-        phi_144_ = true;
+        phi_139_ = lt_bvh_traverse_Tree();
+        phi_140_ = true;
     }
-    let _e50 = phi_143_;
-    let _e52 = phi_144_;
-    if _e52 {
-        phi_149_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e53 = phi_139_;
+    let _e55 = phi_140_;
+    if _e55 {
+        phi_145_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_149_ = _e50;
+        phi_145_ = _e53;
     }
-    let _e57 = phi_149_;
-    return lt_bvh_traverse_Tree(_e57.root, _e57.first_primitive);
+    let _e60 = phi_145_;
+    return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn lt_shaders_evaluate_to_light(param_4: vec3<f32>, param_5: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_5.x - (param_4.x * param_5.w)), (param_5.y - (param_4.y * param_5.w)), (param_5.z - (param_4.z * param_5.w)));
-}
+fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_171_: f32;
+    var phi_172_: f32;
+    var phi_173_: f32;
+    var phi_189_: f32;
+    var phi_190_: f32;
+    var phi_191_: f32;
+    var phi_208_: f32;
+    var phi_209_: f32;
+    var phi_210_: f32;
+    var phi_227_: f32;
+    var phi_228_: f32;
+    var phi_229_: f32;
+    var phi_246_: f32;
+    var phi_247_: f32;
+    var phi_248_: f32;
+    var phi_297_: bool;
+    var phi_301_: f32;
+    var phi_302_: f32;
+    var phi_314_: bool;
+    var phi_321_: f32;
+    var phi_336_: f32;
+    var phi_337_: f32;
+    var phi_338_: f32;
 
-fn lt_shaders_evaluate_quad_indices(param_6: i32, param_7: i32, param_8: u32) -> array<u32, 4> {
-    var phi_183_: i32;
-    var phi_188_: i32;
-    var phi_193_: i32;
-    var phi_198_: i32;
-    var phi_207_: i32;
-    var phi_212_: i32;
-    var phi_217_: i32;
-    var phi_222_: i32;
-
-    let _e37 = (bitcast<i32>(param_8) - 1i);
-    if (param_6 > 0i) {
-        phi_183_ = param_6;
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_173_ = param_7;
     } else {
-        phi_183_ = 0i;
-    }
-    let _e40 = phi_183_;
-    if (param_7 > 0i) {
-        phi_188_ = param_7;
-    } else {
-        phi_188_ = 0i;
-    }
-    let _e43 = phi_188_;
-    if (_e40 < _e37) {
-        phi_193_ = _e40;
-    } else {
-        phi_193_ = _e37;
-    }
-    let _e46 = phi_193_;
-    if (_e43 < _e37) {
-        phi_198_ = _e43;
-    } else {
-        phi_198_ = _e37;
-    }
-    let _e49 = phi_198_;
-    let _e50 = bitcast<u32>(_e46);
-    let _e52 = (param_6 + 1i);
-    let _e53 = (param_7 + 1i);
-    if (_e52 > 0i) {
-        phi_207_ = _e52;
-    } else {
-        phi_207_ = 0i;
-    }
-    let _e56 = phi_207_;
-    if (_e53 > 0i) {
-        phi_212_ = _e53;
-    } else {
-        phi_212_ = 0i;
-    }
-    let _e59 = phi_212_;
-    if (_e56 < _e37) {
-        phi_217_ = _e56;
-    } else {
-        phi_217_ = _e37;
-    }
-    let _e62 = phi_217_;
-    if (_e59 < _e37) {
-        phi_222_ = _e59;
-    } else {
-        phi_222_ = _e37;
-    }
-    let _e65 = phi_222_;
-    let _e66 = bitcast<u32>(_e62);
-    let _e68 = (bitcast<u32>(_e49) * param_8);
-    let _e69 = (bitcast<u32>(_e65) * param_8);
-    return array<u32, 4>((_e68 + _e50), (_e68 + _e66), (_e69 + _e50), (_e69 + _e66));
-}
-
-fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_9: ptr<function, f32>, param_10: vec4<f32>, param_11: vec4<f32>, param_12: f32) -> f32 {
-    var phi_251_: f32;
-    var phi_252_: f32;
-    var phi_253_: f32;
-    var phi_269_: f32;
-    var phi_270_: f32;
-    var phi_271_: f32;
-    var phi_288_: f32;
-    var phi_289_: f32;
-    var phi_290_: f32;
-    var phi_307_: f32;
-    var phi_308_: f32;
-    var phi_309_: f32;
-    var phi_326_: f32;
-    var phi_327_: f32;
-    var phi_328_: f32;
-    var phi_377_: bool;
-    var phi_381_: f32;
-    var phi_382_: f32;
-    var phi_394_: bool;
-    var phi_401_: f32;
-    var phi_416_: f32;
-    var phi_417_: f32;
-    var phi_418_: f32;
-
-    if ((bitcast<u32>(param_12) & 2147483647u) > 2139095040u) {
-        phi_253_ = param_12;
-    } else {
-        if (param_12 < 0f) {
-            phi_252_ = 0f;
+        if (param_7 < 0f) {
+            phi_172_ = 0f;
         } else {
-            if (param_12 > 1f) {
-                phi_251_ = 1f;
+            if (param_7 > 1f) {
+                phi_171_ = 1f;
             } else {
-                phi_251_ = param_12;
+                phi_171_ = param_7;
             }
-            let _e43 = phi_251_;
-            phi_252_ = _e43;
+            let _e46 = phi_171_;
+            phi_172_ = _e46;
         }
-        let _e45 = phi_252_;
-        phi_253_ = _e45;
+        let _e48 = phi_172_;
+        phi_173_ = _e48;
     }
-    let _e47 = phi_253_;
-    if ((bitcast<u32>(param_10.x) & 2147483647u) > 2139095040u) {
-        phi_271_ = param_10.x;
+    let _e50 = phi_173_;
+    if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
+        phi_191_ = param_5.x;
     } else {
-        if (param_10.x < 0f) {
-            phi_270_ = 0f;
+        if (param_5.x < 0f) {
+            phi_190_ = 0f;
         } else {
-            if (param_10.x > 1f) {
-                phi_269_ = 1f;
+            if (param_5.x > 1f) {
+                phi_189_ = 1f;
             } else {
-                phi_269_ = param_10.x;
+                phi_189_ = param_5.x;
             }
-            let _e55 = phi_269_;
-            phi_270_ = _e55;
+            let _e58 = phi_189_;
+            phi_190_ = _e58;
         }
-        let _e57 = phi_270_;
-        phi_271_ = _e57;
+        let _e60 = phi_190_;
+        phi_191_ = _e60;
     }
-    let _e59 = phi_271_;
-    let _e60 = (_e59 - _e47);
-    if ((bitcast<u32>(param_10.y) & 2147483647u) > 2139095040u) {
-        phi_290_ = param_10.y;
+    let _e62 = phi_191_;
+    let _e63 = (_e62 - _e50);
+    if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
+        phi_210_ = param_5.y;
     } else {
-        if (param_10.y < 0f) {
-            phi_289_ = 0f;
+        if (param_5.y < 0f) {
+            phi_209_ = 0f;
         } else {
-            if (param_10.y > 1f) {
-                phi_288_ = 1f;
+            if (param_5.y > 1f) {
+                phi_208_ = 1f;
             } else {
-                phi_288_ = param_10.y;
+                phi_208_ = param_5.y;
             }
-            let _e68 = phi_288_;
-            phi_289_ = _e68;
+            let _e71 = phi_208_;
+            phi_209_ = _e71;
         }
-        let _e70 = phi_289_;
-        phi_290_ = _e70;
+        let _e73 = phi_209_;
+        phi_210_ = _e73;
     }
-    let _e72 = phi_290_;
-    let _e73 = (_e72 - _e47);
-    if ((bitcast<u32>(param_10.z) & 2147483647u) > 2139095040u) {
-        phi_309_ = param_10.z;
+    let _e75 = phi_210_;
+    let _e76 = (_e75 - _e50);
+    if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
+        phi_229_ = param_5.z;
     } else {
-        if (param_10.z < 0f) {
-            phi_308_ = 0f;
+        if (param_5.z < 0f) {
+            phi_228_ = 0f;
         } else {
-            if (param_10.z > 1f) {
-                phi_307_ = 1f;
+            if (param_5.z > 1f) {
+                phi_227_ = 1f;
             } else {
-                phi_307_ = param_10.z;
+                phi_227_ = param_5.z;
             }
-            let _e81 = phi_307_;
-            phi_308_ = _e81;
+            let _e84 = phi_227_;
+            phi_228_ = _e84;
         }
-        let _e83 = phi_308_;
-        phi_309_ = _e83;
+        let _e86 = phi_228_;
+        phi_229_ = _e86;
     }
-    let _e85 = phi_309_;
-    let _e86 = (_e85 - _e47);
-    if ((bitcast<u32>(param_10.w) & 2147483647u) > 2139095040u) {
-        phi_328_ = param_10.w;
+    let _e88 = phi_229_;
+    let _e89 = (_e88 - _e50);
+    if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
+        phi_248_ = param_5.w;
     } else {
-        if (param_10.w < 0f) {
-            phi_327_ = 0f;
+        if (param_5.w < 0f) {
+            phi_247_ = 0f;
         } else {
-            if (param_10.w > 1f) {
-                phi_326_ = 1f;
+            if (param_5.w > 1f) {
+                phi_246_ = 1f;
             } else {
-                phi_326_ = param_10.w;
+                phi_246_ = param_5.w;
             }
-            let _e94 = phi_326_;
-            phi_327_ = _e94;
+            let _e97 = phi_246_;
+            phi_247_ = _e97;
         }
-        let _e96 = phi_327_;
-        phi_328_ = _e96;
+        let _e99 = phi_247_;
+        phi_248_ = _e99;
     }
-    let _e98 = phi_328_;
-    let _e99 = (_e98 - _e47);
-    let _e100 = (*param_9);
-    let _e111 = ((((_e60 * param_11.x) + (_e73 * param_11.y)) + (_e86 * param_11.z)) + (_e99 * param_11.w));
-    let _e112 = (_e60 - _e111);
-    let _e113 = (_e73 - _e111);
-    let _e114 = (_e86 - _e111);
-    let _e115 = (_e99 - _e111);
-    let _e130 = (((((_e112 * _e112) * param_11.x) + ((_e113 * _e113) * param_11.y)) + ((_e114 * _e114) * param_11.z)) + ((_e115 * _e115) * param_11.w));
-    if ((bitcast<u32>(_e130) & 2147483647u) > 2139095040u) {
-        phi_382_ = _e130;
+    let _e101 = phi_248_;
+    let _e102 = (_e101 - _e50);
+    let _e103 = (*param_4);
+    let _e114 = ((((_e63 * param_6.x) + (_e76 * param_6.y)) + (_e89 * param_6.z)) + (_e102 * param_6.w));
+    let _e115 = (_e63 - _e114);
+    let _e116 = (_e76 - _e114);
+    let _e117 = (_e89 - _e114);
+    let _e118 = (_e102 - _e114);
+    let _e133 = (((((_e115 * _e115) * param_6.x) + ((_e116 * _e116) * param_6.y)) + ((_e117 * _e117) * param_6.z)) + ((_e118 * _e118) * param_6.w));
+    if ((bitcast<u32>(_e133) & 2147483647u) > 2139095040u) {
+        phi_302_ = _e133;
     } else {
-        if ((bitcast<u32>(_e100) & 2147483647u) > 2139095040u) {
-            phi_377_ = true;
+        if ((bitcast<u32>(_e103) & 2147483647u) > 2139095040u) {
+            phi_297_ = true;
         } else {
-            let _e137 = (_e100 > _e130);
-            if _e137 {
+            let _e140 = (_e103 > _e133);
+            if _e140 {
             }
-            phi_377_ = _e137;
+            phi_297_ = _e140;
         }
-        let _e139 = phi_377_;
-        if _e139 {
-            phi_381_ = _e100;
+        let _e142 = phi_297_;
+        if _e142 {
+            phi_301_ = _e103;
         } else {
-            phi_381_ = _e130;
+            phi_301_ = _e133;
         }
-        let _e141 = phi_381_;
-        phi_382_ = _e141;
+        let _e144 = phi_301_;
+        phi_302_ = _e144;
     }
-    let _e143 = phi_382_;
-    let _e144 = -(_e111);
-    if (_e144 <= 0f) {
-        let _e148 = ((bitcast<u32>(_e143) & 2147483647u) > 2139095040u);
-        if _e148 {
+    let _e146 = phi_302_;
+    let _e147 = -(_e114);
+    if (_e147 <= 0f) {
+        let _e151 = ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u);
+        if _e151 {
         }
-        phi_394_ = _e148;
+        phi_314_ = _e151;
     } else {
-        phi_394_ = true;
+        phi_314_ = true;
     }
-    let _e150 = phi_394_;
-    if _e150 {
-        phi_401_ = (_e143 / (_e143 + (_e144 * _e144)));
+    let _e153 = phi_314_;
+    if _e153 {
+        phi_321_ = (_e146 / (_e146 + (_e147 * _e147)));
     } else {
-        phi_401_ = 1f;
+        phi_321_ = 1f;
     }
-    let _e155 = phi_401_;
-    if ((bitcast<u32>(_e155) & 2147483647u) > 2139095040u) {
-        phi_418_ = _e155;
+    let _e158 = phi_321_;
+    if ((bitcast<u32>(_e158) & 2147483647u) > 2139095040u) {
+        phi_338_ = _e158;
     } else {
-        if (_e155 < 0f) {
-            phi_417_ = 0f;
+        if (_e158 < 0f) {
+            phi_337_ = 0f;
         } else {
-            if (_e155 > 1f) {
-                phi_416_ = 1f;
+            if (_e158 > 1f) {
+                phi_336_ = 1f;
             } else {
-                phi_416_ = _e155;
+                phi_336_ = _e158;
             }
-            let _e162 = phi_416_;
-            phi_417_ = _e162;
+            let _e165 = phi_336_;
+            phi_337_ = _e165;
         }
-        let _e164 = phi_417_;
-        phi_418_ = _e164;
+        let _e167 = phi_337_;
+        phi_338_ = _e167;
     }
-    let _e166 = phi_418_;
-    return _e166;
+    let _e169 = phi_338_;
+    return _e169;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_472_: bool;
-    var phi_473_: bool;
-    var phi_474_: bool;
-    var phi_475_: bool;
-    var phi_479_: bool;
-    var phi_514_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_518_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_611_: bool;
-    var phi_612_: bool;
-    var phi_613_: bool;
-    var phi_614_: bool;
-    var phi_615_: bool;
-    var phi_616_: bool;
-    var phi_617_: bool;
-    var phi_618_: bool;
-    var phi_619_: bool;
-    var phi_620_: bool;
-    var phi_621_: bool;
-    var phi_622_: bool;
+    var phi_392_: bool;
+    var phi_393_: bool;
+    var phi_394_: bool;
+    var phi_395_: bool;
+    var phi_399_: bool;
+    var phi_443_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_447_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_524_: bool;
+    var phi_533_: bool;
+    var phi_542_: bool;
+    var phi_543_: bool;
+    var phi_544_: bool;
+    var phi_545_: bool;
+    var phi_546_: bool;
+    var phi_547_: bool;
+    var phi_548_: bool;
+    var phi_552_: bool;
+    var phi_588_: f32;
+    var phi_593_: f32;
+    var phi_594_: bool;
+    var phi_595_: f32;
+    var phi_596_: bool;
+    var phi_600_: f32;
+    var phi_620_: f32;
+    var phi_625_: f32;
     var phi_626_: bool;
-    var phi_727_: bool;
-    var phi_735_: bool;
-    var phi_740_: f32;
-    var phi_743_: evaluate_Verdict;
-    var phi_744_: evaluate_Verdict;
-    var phi_748_: bool;
-    var phi_749_: u32;
-    var phi_755_: u32;
+    var phi_627_: f32;
+    var phi_628_: bool;
+    var phi_632_: f32;
+    var phi_678_: i32;
+    var phi_683_: i32;
+    var phi_688_: i32;
+    var phi_693_: i32;
+    var phi_702_: i32;
+    var phi_707_: i32;
+    var phi_712_: i32;
+    var phi_717_: i32;
+    var phi_764_: bool;
+    var phi_772_: bool;
+    var phi_777_: f32;
+    var phi_780_: evaluate_Verdict;
+    var phi_781_: evaluate_Verdict;
+    var phi_785_: bool;
+    var phi_786_: u32;
+    var phi_792_: u32;
 
-    let _e34 = id_1;
-    let _e35 = local_2;
-    let _e40 = arrayLength((&map.member));
-    if (_e35 == 0u) {
+    let _e37 = id_1;
+    let _e38 = local_2;
+    let _e43 = arrayLength((&map.member));
+    if (_e38 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e47 = p.member.size[0u];
-    let _e49 = p.member.size[1u];
-    let _e50 = lt_shaders_entry_pixel_index(_e34, _e47, _e49);
-    if (bitcast<i32>(_e50.root) != 0i) {
-        let _e57 = p.member.light;
-        let _e60 = samples.member[_e50.first_primitive].normal[0u];
-        let _e62 = global[0u];
-        if (_e60 == _e62) {
-            let _e65 = samples.member[_e50.first_primitive].normal[1u];
-            let _e67 = global[1u];
-            if (_e65 == _e67) {
-                let _e70 = samples.member[_e50.first_primitive].normal[2u];
-                let _e72 = global[2u];
-                phi_472_ = (_e70 == _e72);
-                phi_473_ = false;
+    let _e50 = p.member.size[0u];
+    let _e52 = p.member.size[1u];
+    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
+    if (bitcast<i32>(_e53.root) != 0i) {
+        let _e60 = p.member.light;
+        let _e63 = samples.member[_e53.first_primitive].normal[0u];
+        let _e65 = global[0u];
+        if (_e63 == _e65) {
+            let _e68 = samples.member[_e53.first_primitive].normal[1u];
+            let _e70 = global[1u];
+            if (_e68 == _e70) {
+                let _e73 = samples.member[_e53.first_primitive].normal[2u];
+                let _e75 = global[2u];
+                phi_392_ = (_e73 == _e75);
+                phi_393_ = false;
             } else {
-                phi_472_ = bool();
-                phi_473_ = true;
+                phi_392_ = bool();
+                phi_393_ = true;
             }
-            let _e75 = phi_472_;
-            let _e77 = phi_473_;
-            phi_474_ = _e75;
-            phi_475_ = _e77;
+            let _e78 = phi_392_;
+            let _e80 = phi_393_;
+            phi_394_ = _e78;
+            phi_395_ = _e80;
         } else {
-            phi_474_ = bool();
-            phi_475_ = true;
+            phi_394_ = bool();
+            phi_395_ = true;
         }
-        let _e79 = phi_474_;
-        let _e81 = phi_475_;
-        if _e81 {
-            phi_479_ = false;
+        let _e82 = phi_394_;
+        let _e84 = phi_395_;
+        if _e84 {
+            phi_399_ = false;
         } else {
-            phi_479_ = _e79;
+            phi_399_ = _e82;
         }
-        let _e83 = phi_479_;
-        if !(_e83) {
-            let _e86 = samples.member[_e50.first_primitive].normal;
-            let _e88 = samples.member[_e50.first_primitive].position;
-            let _e89 = lt_shaders_evaluate_to_light(_e88, _e57);
-            if ((((_e86.x * _e89.x) + (_e86.y * _e89.y)) + (_e86.z * _e89.z)) > 0f) {
-                let _e103 = samples.member[_e50.first_primitive].flags;
-                let _e111 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e117 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e111.unnamed.visibility, false), _e111.unnamed_1);
-                phi_514_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e117.unnamed, ((_e103 & 1u) == 0u));
+        let _e86 = phi_399_;
+        if !(_e86) {
+            let _e89 = samples.member[_e53.first_primitive].normal;
+            let _e91 = samples.member[_e53.first_primitive].position;
+            if ((((_e89.x * (_e60.x - (_e91.x * _e60.w))) + (_e89.y * (_e60.y - (_e91.y * _e60.w)))) + (_e89.z * (_e60.z - (_e91.z * _e60.w)))) > 0f) {
+                let _e115 = samples.member[_e53.first_primitive].flags;
+                let _e123 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e129 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e123.unnamed.visibility, false), _e123.unnamed_1);
+                phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e129.unnamed, ((_e115 & 1u) == 0u));
             } else {
-                let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
-                phi_514_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, true);
+                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
+                phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, true);
             }
-            let _e137 = phi_514_;
-            phi_518_ = _e137;
+            let _e149 = phi_443_;
+            phi_447_ = _e149;
         } else {
-            let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
-            phi_518_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
+            let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e155.unnamed.visibility, false), _e155.unnamed_1);
+            phi_447_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e161.unnamed, true);
         }
-        let _e154 = phi_518_;
-        if _e154.unnamed_1 {
-            phi_744_ = evaluate_Verdict(_e154.unnamed.visibility, _e154.unnamed.is_doubted);
+        let _e166 = phi_447_;
+        if _e166.unnamed_1 {
+            phi_781_ = evaluate_Verdict(_e166.unnamed.visibility, _e166.unnamed.is_doubted);
         } else {
-            let _e162 = samples.member[_e50.first_primitive].position;
-            let _e168 = p.member.projection.row_w;
-            let _e179 = ((((_e168.x * _e162.x) + (_e168.y * _e162.y)) + (_e168.z * _e162.z)) + (_e168.w * 1f));
-            let _e181 = p.member.projection.row_x;
-            let _e193 = (((((_e181.x * _e162.x) + (_e181.y * _e162.y)) + (_e181.z * _e162.z)) + (_e181.w * 1f)) / _e179);
-            let _e195 = p.member.projection.row_y;
-            let _e207 = (((((_e195.x * _e162.x) + (_e195.y * _e162.y)) + (_e195.z * _e162.z)) + (_e195.w * 1f)) / _e179);
-            let _e209 = p.member.projection.row_z;
-            let _e220 = ((((_e209.x * _e162.x) + (_e209.y * _e162.y)) + (_e209.z * _e162.z)) + (_e209.w * 1f));
-            if (_e179 > 0f) {
-                if (_e193 >= 0f) {
-                    if (_e193 <= 1f) {
-                        if (_e207 >= 0f) {
-                            if (_e207 <= 1f) {
-                                if (_e220 >= 0f) {
-                                    phi_611_ = (_e220 <= 1f);
-                                    phi_612_ = false;
-                                } else {
-                                    phi_611_ = bool();
-                                    phi_612_ = true;
-                                }
-                                let _e229 = phi_611_;
-                                let _e231 = phi_612_;
-                                phi_613_ = _e229;
-                                phi_614_ = _e231;
-                            } else {
-                                phi_613_ = bool();
-                                phi_614_ = true;
-                            }
-                            let _e233 = phi_613_;
-                            let _e235 = phi_614_;
-                            phi_615_ = _e233;
-                            phi_616_ = _e235;
-                        } else {
-                            phi_615_ = bool();
-                            phi_616_ = true;
-                        }
-                        let _e237 = phi_615_;
-                        let _e239 = phi_616_;
-                        phi_617_ = _e237;
-                        phi_618_ = _e239;
+            let _e174 = samples.member[_e53.first_primitive].position;
+            let _e180 = p.member.projection.row_w;
+            let _e191 = ((((_e180.x * _e174.x) + (_e180.y * _e174.y)) + (_e180.z * _e174.z)) + (_e180.w * 1f));
+            let _e193 = p.member.projection.row_x;
+            let _e205 = (((((_e193.x * _e174.x) + (_e193.y * _e174.y)) + (_e193.z * _e174.z)) + (_e193.w * 1f)) / _e191);
+            let _e207 = p.member.projection.row_y;
+            let _e219 = (((((_e207.x * _e174.x) + (_e207.y * _e174.y)) + (_e207.z * _e174.z)) + (_e207.w * 1f)) / _e191);
+            let _e221 = p.member.projection.row_z;
+            let _e232 = ((((_e221.x * _e174.x) + (_e221.y * _e174.y)) + (_e221.z * _e174.z)) + (_e221.w * 1f));
+            if (_e191 > 0f) {
+                if (_e205 >= 0f) {
+                    phi_524_ = (_e205 <= 1f);
+                } else {
+                    phi_524_ = false;
+                }
+                let _e237 = phi_524_;
+                if _e237 {
+                    if (_e219 >= 0f) {
+                        phi_533_ = (_e219 <= 1f);
                     } else {
-                        phi_617_ = bool();
-                        phi_618_ = true;
+                        phi_533_ = false;
                     }
-                    let _e241 = phi_617_;
-                    let _e243 = phi_618_;
-                    phi_619_ = _e241;
-                    phi_620_ = _e243;
+                    let _e241 = phi_533_;
+                    if _e241 {
+                        if (_e232 >= 0f) {
+                            phi_542_ = (_e232 <= 1f);
+                        } else {
+                            phi_542_ = false;
+                        }
+                        let _e245 = phi_542_;
+                        phi_543_ = _e245;
+                        phi_544_ = false;
+                    } else {
+                        phi_543_ = bool();
+                        phi_544_ = true;
+                    }
+                    let _e247 = phi_543_;
+                    let _e249 = phi_544_;
+                    phi_545_ = _e247;
+                    phi_546_ = _e249;
                 } else {
-                    phi_619_ = bool();
-                    phi_620_ = true;
+                    phi_545_ = bool();
+                    phi_546_ = true;
                 }
-                let _e245 = phi_619_;
-                let _e247 = phi_620_;
-                phi_621_ = _e245;
-                phi_622_ = _e247;
+                let _e251 = phi_545_;
+                let _e253 = phi_546_;
+                phi_547_ = _e251;
+                phi_548_ = _e253;
             } else {
-                phi_621_ = bool();
-                phi_622_ = true;
+                phi_547_ = bool();
+                phi_548_ = true;
             }
-            let _e249 = phi_621_;
-            let _e251 = phi_622_;
-            if _e251 {
-                phi_626_ = false;
+            let _e255 = phi_547_;
+            let _e257 = phi_548_;
+            if _e257 {
+                phi_552_ = false;
             } else {
-                phi_626_ = _e249;
+                phi_552_ = _e255;
             }
-            let _e253 = phi_626_;
-            if _e253 {
-                let _e255 = p.member.map_size;
-                let _e256 = f32(_e255);
-                let _e259 = ((_e193 * _e256) - 0.5f);
-                let _e260 = ((_e207 * _e256) - 0.5f);
-                let _e261 = floor(_e259);
-                let _e262 = floor(_e260);
-                let _e263 = (_e259 - _e261);
-                let _e264 = (_e260 - _e262);
-                let _e293 = p.member.test;
-                let _e294 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e293);
-                let _e296 = p.member.map_size;
-                local_1 = _e294;
-                let _e297 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e261), i32(-2147483648), (_e261 < bitcast<f32>(3472883712u))), 2147483647i, (_e261 > bitcast<f32>(1325400063u))), (_e261 == _e261)), select(0i, select(select(i32(_e262), i32(-2147483648), (_e262 < bitcast<f32>(3472883712u))), 2147483647i, (_e262 > bitcast<f32>(1325400063u))), (_e262 == _e262)), _e296);
-                if (_e297[0] < _e40) {
+            let _e259 = phi_552_;
+            if _e259 {
+                let _e261 = p.member.map_size;
+                let _e262 = f32(_e261);
+                let _e265 = ((_e205 * _e262) - 0.5f);
+                let _e266 = ((_e219 * _e262) - 0.5f);
+                if (_e265 > -8388608f) {
+                    let _e278 = f32(select(0i, select(select(i32(_e265), i32(-2147483648), (_e265 < bitcast<f32>(3472883712u))), 2147483647i, (_e265 > bitcast<f32>(1325400063u))), (_e265 == _e265)));
+                    if (_e278 > _e265) {
+                        phi_588_ = 1f;
+                    } else {
+                        phi_588_ = 0f;
+                    }
+                    let _e281 = phi_588_;
+                    if (_e265 < 8388608f) {
+                        phi_593_ = (_e278 - _e281);
+                        phi_594_ = false;
+                    } else {
+                        phi_593_ = f32();
+                        phi_594_ = true;
+                    }
+                    let _e284 = phi_593_;
+                    let _e286 = phi_594_;
+                    phi_595_ = _e284;
+                    phi_596_ = _e286;
+                } else {
+                    phi_595_ = f32();
+                    phi_596_ = true;
+                }
+                let _e288 = phi_595_;
+                let _e290 = phi_596_;
+                if _e290 {
+                    phi_600_ = _e265;
+                } else {
+                    phi_600_ = _e288;
+                }
+                let _e292 = phi_600_;
+                if (_e266 > -8388608f) {
+                    let _e304 = f32(select(0i, select(select(i32(_e266), i32(-2147483648), (_e266 < bitcast<f32>(3472883712u))), 2147483647i, (_e266 > bitcast<f32>(1325400063u))), (_e266 == _e266)));
+                    if (_e304 > _e266) {
+                        phi_620_ = 1f;
+                    } else {
+                        phi_620_ = 0f;
+                    }
+                    let _e307 = phi_620_;
+                    if (_e266 < 8388608f) {
+                        phi_625_ = (_e304 - _e307);
+                        phi_626_ = false;
+                    } else {
+                        phi_625_ = f32();
+                        phi_626_ = true;
+                    }
+                    let _e310 = phi_625_;
+                    let _e312 = phi_626_;
+                    phi_627_ = _e310;
+                    phi_628_ = _e312;
+                } else {
+                    phi_627_ = f32();
+                    phi_628_ = true;
+                }
+                let _e314 = phi_627_;
+                let _e316 = phi_628_;
+                if _e316 {
+                    phi_632_ = _e266;
+                } else {
+                    phi_632_ = _e314;
+                }
+                let _e318 = phi_632_;
+                let _e319 = (_e265 - _e292);
+                let _e320 = (_e266 - _e318);
+                let _e329 = select(0i, select(select(i32(_e292), i32(-2147483648), (_e292 < bitcast<f32>(3472883712u))), 2147483647i, (_e292 > bitcast<f32>(1325400063u))), (_e292 == _e292));
+                let _e338 = select(0i, select(select(i32(_e318), i32(-2147483648), (_e318 < bitcast<f32>(3472883712u))), 2147483647i, (_e318 > bitcast<f32>(1325400063u))), (_e318 == _e318));
+                let _e349 = p.member.test;
+                let _e350 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e349);
+                let _e352 = p.member.map_size;
+                local_1 = _e350;
+                let _e354 = (bitcast<i32>(_e352) - 1i);
+                if (_e329 > 0i) {
+                    phi_678_ = _e329;
+                } else {
+                    phi_678_ = 0i;
+                }
+                let _e357 = phi_678_;
+                if (_e338 > 0i) {
+                    phi_683_ = _e338;
+                } else {
+                    phi_683_ = 0i;
+                }
+                let _e360 = phi_683_;
+                if (_e357 < _e354) {
+                    phi_688_ = _e357;
+                } else {
+                    phi_688_ = _e354;
+                }
+                let _e363 = phi_688_;
+                if (_e360 < _e354) {
+                    phi_693_ = _e360;
+                } else {
+                    phi_693_ = _e354;
+                }
+                let _e366 = phi_693_;
+                let _e367 = bitcast<u32>(_e363);
+                let _e369 = (_e329 + 1i);
+                let _e370 = (_e338 + 1i);
+                if (_e369 > 0i) {
+                    phi_702_ = _e369;
+                } else {
+                    phi_702_ = 0i;
+                }
+                let _e373 = phi_702_;
+                if (_e370 > 0i) {
+                    phi_707_ = _e370;
+                } else {
+                    phi_707_ = 0i;
+                }
+                let _e376 = phi_707_;
+                if (_e373 < _e354) {
+                    phi_712_ = _e373;
+                } else {
+                    phi_712_ = _e354;
+                }
+                let _e379 = phi_712_;
+                if (_e376 < _e354) {
+                    phi_717_ = _e376;
+                } else {
+                    phi_717_ = _e354;
+                }
+                let _e382 = phi_717_;
+                let _e383 = bitcast<u32>(_e379);
+                let _e385 = (bitcast<u32>(_e366) * _e352);
+                let _e386 = (bitcast<u32>(_e382) * _e352);
+                let _e387 = (_e385 + _e367);
+                let _e388 = (_e385 + _e383);
+                let _e389 = (_e386 + _e367);
+                let _e390 = (_e386 + _e383);
+                if (_e387 < _e43) {
                 } else {
                     return;
                 }
-                let _e302 = map.member[(0u + _e297[0])];
-                if (_e297[1] < _e40) {
+                let _e394 = map.member[(0u + _e387)];
+                if (_e388 < _e43) {
                 } else {
                     return;
                 }
-                let _e307 = map.member[(0u + _e297[1])];
-                if (_e297[2] < _e40) {
+                let _e398 = map.member[(0u + _e388)];
+                if (_e389 < _e43) {
                 } else {
                     return;
                 }
-                let _e312 = map.member[(0u + _e297[2])];
-                if (_e297[3] < _e40) {
+                let _e402 = map.member[(0u + _e389)];
+                if (_e390 < _e43) {
                 } else {
                     return;
                 }
-                let _e317 = map.member[(0u + _e297[3])];
-                let _e319 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e302, _e307, _e312, _e317), vec4<f32>(((1f - _e263) * (1f - _e264)), (_e263 * (1f - _e264)), ((1f - _e263) * _e264), (_e263 * _e264)), _e220);
-                let _e321 = p.member.epsilon;
-                if (_e319 <= _e321) {
-                    phi_727_ = true;
+                let _e406 = map.member[(0u + _e390)];
+                let _e408 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e394, _e398, _e402, _e406), vec4<f32>(((1f - _e319) * (1f - _e320)), (_e319 * (1f - _e320)), ((1f - _e319) * _e320), (_e319 * _e320)), _e232);
+                let _e410 = p.member.epsilon;
+                if (_e408 <= _e410) {
+                    phi_764_ = true;
                 } else {
-                    phi_727_ = (_e319 >= (1f - _e321));
+                    phi_764_ = (_e408 >= (1f - _e410));
                 }
-                let _e326 = phi_727_;
-                if ((bitcast<u32>(_e319) & 2147483647u) > 2139095040u) {
-                    phi_735_ = true;
+                let _e415 = phi_764_;
+                if ((bitcast<u32>(_e408) & 2147483647u) > 2139095040u) {
+                    phi_772_ = true;
                 } else {
-                    phi_735_ = !(_e326);
+                    phi_772_ = !(_e415);
                 }
-                let _e332 = phi_735_;
-                if (_e319 > 0.5f) {
-                    phi_740_ = 1f;
+                let _e421 = phi_772_;
+                if (_e408 > 0.5f) {
+                    phi_777_ = 1f;
                 } else {
-                    phi_740_ = 0f;
+                    phi_777_ = 0f;
                 }
-                let _e335 = phi_740_;
-                phi_743_ = evaluate_Verdict(_e335, _e332);
+                let _e424 = phi_777_;
+                phi_780_ = evaluate_Verdict(_e424, _e421);
             } else {
-                phi_743_ = evaluate_Verdict(1f, true);
+                phi_780_ = evaluate_Verdict(1f, true);
             }
-            let _e339 = phi_743_;
-            phi_744_ = _e339;
+            let _e428 = phi_780_;
+            phi_781_ = _e428;
         }
-        let _e341 = phi_744_;
-        visibility.member[_e50.first_primitive] = _e341.visibility;
-        phi_748_ = _e341.is_doubted;
-        phi_749_ = _e50.first_primitive;
+        let _e430 = phi_781_;
+        visibility.member[_e53.first_primitive] = _e430.visibility;
+        phi_785_ = _e430.is_doubted;
+        phi_786_ = _e53.first_primitive;
     } else {
-        phi_748_ = false;
-        phi_749_ = 0u;
+        phi_785_ = false;
+        phi_786_ = 0u;
     }
-    let _e346 = phi_748_;
-    let _e348 = phi_749_;
-    if _e346 {
-        let _e350 = atomicAdd((&shared_[0u]), 1u);
-        phi_755_ = _e350;
+    let _e435 = phi_785_;
+    let _e437 = phi_786_;
+    if _e435 {
+        let _e439 = atomicAdd((&shared_[0u]), 1u);
+        phi_792_ = _e439;
     } else {
-        phi_755_ = 0u;
+        phi_792_ = 0u;
     }
-    let _e352 = phi_755_;
+    let _e441 = phi_792_;
     workgroupBarrier();
-    if (_e35 == 0u) {
-        let _e356 = atomicLoad((&shared_[0u]));
-        let _e357 = atomicAdd((&list.member[3u]), _e356);
-        atomicStore((&shared_[1u]), _e357);
+    if (_e38 == 0u) {
+        let _e445 = atomicLoad((&shared_[0u]));
+        let _e446 = atomicAdd((&list.member[3u]), _e445);
+        atomicStore((&shared_[1u]), _e446);
     }
     workgroupBarrier();
-    if _e346 {
-        let _e360 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e360) + _e352)]), _e348);
+    if _e435 {
+        let _e449 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e449) + _e441)]), _e437);
     }
     return;
 }

@@ -18,11 +18,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_25 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_29 {
+struct type_27 {
     member: array<f32>,
 }
 
@@ -31,7 +31,7 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct type_38 {
+struct type_36 {
     member: array<vec4<f32>>,
 }
 
@@ -48,7 +48,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_41 {
+struct type_40 {
     member: abi_ShadowParams,
 }
 
@@ -62,510 +62,540 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_48 {
+struct type_47 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_25;
+var<storage> samples: type_23;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_41;
+var<uniform> p: type_40;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_29;
+var<storage, read_write> visibility: type_27;
 var<private> local_2: u32;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_48;
+var<storage, read_write> list: type_47;
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(2) 
-var<storage> map: type_38;
+var<storage> map: type_36;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_147_: lt_bvh_traverse_Tree;
-    var phi_148_: bool;
-    var phi_149_: lt_bvh_traverse_Tree;
-    var phi_150_: bool;
-    var phi_155_: lt_bvh_traverse_Tree;
+    var phi_143_: lt_bvh_traverse_Tree;
+    var phi_144_: bool;
+    var phi_145_: lt_bvh_traverse_Tree;
+    var phi_146_: bool;
+    var phi_151_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_148_ = false;
+            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_144_ = false;
         } else {
-            phi_147_ = lt_bvh_traverse_Tree();
-            phi_148_ = true;
+            phi_143_ = lt_bvh_traverse_Tree();
+            phi_144_ = true;
         }
-        let _e47 = phi_147_;
-        let _e49 = phi_148_;
-        phi_149_ = _e47;
-        phi_150_ = _e49;
+        let _e50 = phi_143_;
+        let _e52 = phi_144_;
+        phi_145_ = _e50;
+        phi_146_ = _e52;
     } else {
-        phi_149_ = lt_bvh_traverse_Tree();
-        phi_150_ = true;
+        phi_145_ = lt_bvh_traverse_Tree();
+        phi_146_ = true;
     }
-    let _e51 = phi_149_;
-    let _e53 = phi_150_;
-    if _e53 {
-        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e54 = phi_145_;
+    let _e56 = phi_146_;
+    if _e56 {
+        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_155_ = _e51;
+        phi_151_ = _e54;
     }
-    let _e58 = phi_155_;
-    return lt_bvh_traverse_Tree(_e58.root, _e58.first_primitive);
+    let _e61 = phi_151_;
+    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn lt_shaders_evaluate_to_light(param_4: vec3<f32>, param_5: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_5.x - (param_4.x * param_5.w)), (param_5.y - (param_4.y * param_5.w)), (param_5.z - (param_4.z * param_5.w)));
-}
+fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
+    var phi_176_: f32;
+    var phi_177_: f32;
+    var phi_178_: f32;
+    var phi_202_: bool;
+    var phi_206_: f32;
+    var phi_207_: f32;
+    var phi_219_: bool;
+    var phi_226_: f32;
+    var phi_241_: f32;
+    var phi_242_: f32;
+    var phi_243_: f32;
 
-fn lt_shaders_evaluate_quad_indices(param_6: i32, param_7: i32, param_8: u32) -> array<u32, 4> {
-    var phi_189_: i32;
-    var phi_194_: i32;
-    var phi_199_: i32;
-    var phi_204_: i32;
-    var phi_213_: i32;
-    var phi_218_: i32;
-    var phi_223_: i32;
-    var phi_228_: i32;
-
-    let _e38 = (bitcast<i32>(param_8) - 1i);
-    if (param_6 > 0i) {
-        phi_189_ = param_6;
+    if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
+        phi_178_ = param_6;
     } else {
-        phi_189_ = 0i;
-    }
-    let _e41 = phi_189_;
-    if (param_7 > 0i) {
-        phi_194_ = param_7;
-    } else {
-        phi_194_ = 0i;
-    }
-    let _e44 = phi_194_;
-    if (_e41 < _e38) {
-        phi_199_ = _e41;
-    } else {
-        phi_199_ = _e38;
-    }
-    let _e47 = phi_199_;
-    if (_e44 < _e38) {
-        phi_204_ = _e44;
-    } else {
-        phi_204_ = _e38;
-    }
-    let _e50 = phi_204_;
-    let _e51 = bitcast<u32>(_e47);
-    let _e53 = (param_6 + 1i);
-    let _e54 = (param_7 + 1i);
-    if (_e53 > 0i) {
-        phi_213_ = _e53;
-    } else {
-        phi_213_ = 0i;
-    }
-    let _e57 = phi_213_;
-    if (_e54 > 0i) {
-        phi_218_ = _e54;
-    } else {
-        phi_218_ = 0i;
-    }
-    let _e60 = phi_218_;
-    if (_e57 < _e38) {
-        phi_223_ = _e57;
-    } else {
-        phi_223_ = _e38;
-    }
-    let _e63 = phi_223_;
-    if (_e60 < _e38) {
-        phi_228_ = _e60;
-    } else {
-        phi_228_ = _e38;
-    }
-    let _e66 = phi_228_;
-    let _e67 = bitcast<u32>(_e63);
-    let _e69 = (bitcast<u32>(_e50) * param_8);
-    let _e70 = (bitcast<u32>(_e66) * param_8);
-    return array<u32, 4>((_e69 + _e51), (_e69 + _e67), (_e70 + _e51), (_e70 + _e67));
-}
-
-fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_9: ptr<function, f32>, param_10: vec4<f32>, param_11: f32) -> f32 {
-    var phi_256_: f32;
-    var phi_257_: f32;
-    var phi_258_: f32;
-    var phi_281_: bool;
-    var phi_285_: f32;
-    var phi_286_: f32;
-    var phi_303_: bool;
-    var phi_307_: f32;
-    var phi_308_: f32;
-    var phi_320_: bool;
-    var phi_327_: f32;
-    var phi_342_: f32;
-    var phi_343_: f32;
-    var phi_344_: f32;
-
-    if ((bitcast<u32>(param_11) & 2147483647u) > 2139095040u) {
-        phi_258_ = param_11;
-    } else {
-        if (param_11 < 0f) {
-            phi_257_ = 0f;
+        if (param_6 < 0f) {
+            phi_177_ = 0f;
         } else {
-            if (param_11 > 1f) {
-                phi_256_ = 1f;
+            if (param_6 > 1f) {
+                phi_176_ = 1f;
             } else {
-                phi_256_ = param_11;
+                phi_176_ = param_6;
             }
-            let _e43 = phi_256_;
-            phi_257_ = _e43;
+            let _e46 = phi_176_;
+            phi_177_ = _e46;
         }
-        let _e45 = phi_257_;
-        phi_258_ = _e45;
+        let _e48 = phi_177_;
+        phi_178_ = _e48;
     }
-    let _e47 = phi_258_;
-    let _e50 = (*param_9);
-    let _e52 = (param_10.y - (param_10.x * param_10.x));
-    let _e53 = (0.00000047683716f * param_10.y);
-    if ((bitcast<u32>(_e50) & 2147483647u) > 2139095040u) {
-        phi_286_ = _e50;
+    let _e50 = phi_178_;
+    let _e53 = (*param_4);
+    let _e57 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e57) & 2147483647u) > 2139095040u) {
+        phi_207_ = _e57;
     } else {
         if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
-            phi_281_ = true;
+            phi_202_ = true;
         } else {
-            let _e60 = (_e53 > _e50);
-            if _e60 {
+            let _e64 = (_e53 > _e57);
+            if _e64 {
             }
-            phi_281_ = _e60;
+            phi_202_ = _e64;
         }
-        let _e62 = phi_281_;
-        if _e62 {
-            phi_285_ = _e53;
+        let _e66 = phi_202_;
+        if _e66 {
+            phi_206_ = _e53;
         } else {
-            phi_285_ = _e50;
+            phi_206_ = _e57;
         }
-        let _e64 = phi_285_;
-        phi_286_ = _e64;
+        let _e68 = phi_206_;
+        phi_207_ = _e68;
     }
-    let _e66 = phi_286_;
-    if ((bitcast<u32>(_e52) & 2147483647u) > 2139095040u) {
-        phi_308_ = _e52;
-    } else {
-        if ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u) {
-            phi_303_ = true;
-        } else {
-            let _e73 = (_e66 > _e52);
-            if _e73 {
-            }
-            phi_303_ = _e73;
-        }
-        let _e75 = phi_303_;
+    let _e70 = phi_207_;
+    let _e71 = (_e50 - param_5.x);
+    if (_e71 <= 0f) {
+        let _e75 = ((bitcast<u32>(_e70) & 2147483647u) > 2139095040u);
         if _e75 {
-            phi_307_ = _e66;
-        } else {
-            phi_307_ = _e52;
         }
-        let _e77 = phi_307_;
-        phi_308_ = _e77;
-    }
-    let _e79 = phi_308_;
-    let _e80 = (_e47 - param_10.x);
-    if (_e80 <= 0f) {
-        let _e84 = ((bitcast<u32>(_e79) & 2147483647u) > 2139095040u);
-        if _e84 {
-        }
-        phi_320_ = _e84;
+        phi_219_ = _e75;
     } else {
-        phi_320_ = true;
+        phi_219_ = true;
     }
-    let _e86 = phi_320_;
-    if _e86 {
-        phi_327_ = (_e79 / (_e79 + (_e80 * _e80)));
+    let _e77 = phi_219_;
+    if _e77 {
+        phi_226_ = (_e70 / (_e70 + (_e71 * _e71)));
     } else {
-        phi_327_ = 1f;
+        phi_226_ = 1f;
     }
-    let _e91 = phi_327_;
-    if ((bitcast<u32>(_e91) & 2147483647u) > 2139095040u) {
-        phi_344_ = _e91;
+    let _e82 = phi_226_;
+    if ((bitcast<u32>(_e82) & 2147483647u) > 2139095040u) {
+        phi_243_ = _e82;
     } else {
-        if (_e91 < 0f) {
-            phi_343_ = 0f;
+        if (_e82 < 0f) {
+            phi_242_ = 0f;
         } else {
-            if (_e91 > 1f) {
-                phi_342_ = 1f;
+            if (_e82 > 1f) {
+                phi_241_ = 1f;
             } else {
-                phi_342_ = _e91;
+                phi_241_ = _e82;
             }
-            let _e98 = phi_342_;
-            phi_343_ = _e98;
+            let _e89 = phi_241_;
+            phi_242_ = _e89;
         }
-        let _e100 = phi_343_;
-        phi_344_ = _e100;
+        let _e91 = phi_242_;
+        phi_243_ = _e91;
     }
-    let _e102 = phi_344_;
-    return _e102;
+    let _e93 = phi_243_;
+    return _e93;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_398_: bool;
-    var phi_399_: bool;
-    var phi_400_: bool;
-    var phi_401_: bool;
-    var phi_405_: bool;
-    var phi_440_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_444_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_537_: bool;
-    var phi_538_: bool;
-    var phi_539_: bool;
-    var phi_540_: bool;
-    var phi_541_: bool;
-    var phi_542_: bool;
-    var phi_543_: bool;
-    var phi_544_: bool;
-    var phi_545_: bool;
-    var phi_546_: bool;
-    var phi_547_: bool;
-    var phi_548_: bool;
-    var phi_552_: bool;
-    var phi_697_: bool;
-    var phi_705_: bool;
-    var phi_710_: f32;
-    var phi_713_: evaluate_Verdict;
-    var phi_714_: evaluate_Verdict;
-    var phi_718_: bool;
-    var phi_719_: u32;
-    var phi_725_: u32;
+    var phi_297_: bool;
+    var phi_298_: bool;
+    var phi_299_: bool;
+    var phi_300_: bool;
+    var phi_304_: bool;
+    var phi_348_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_352_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_429_: bool;
+    var phi_438_: bool;
+    var phi_447_: bool;
+    var phi_448_: bool;
+    var phi_449_: bool;
+    var phi_450_: bool;
+    var phi_451_: bool;
+    var phi_452_: bool;
+    var phi_453_: bool;
+    var phi_457_: bool;
+    var phi_493_: f32;
+    var phi_498_: f32;
+    var phi_499_: bool;
+    var phi_500_: f32;
+    var phi_501_: bool;
+    var phi_505_: f32;
+    var phi_525_: f32;
+    var phi_530_: f32;
+    var phi_531_: bool;
+    var phi_532_: f32;
+    var phi_533_: bool;
+    var phi_537_: f32;
+    var phi_583_: i32;
+    var phi_588_: i32;
+    var phi_593_: i32;
+    var phi_598_: i32;
+    var phi_607_: i32;
+    var phi_612_: i32;
+    var phi_617_: i32;
+    var phi_622_: i32;
+    var phi_713_: bool;
+    var phi_721_: bool;
+    var phi_726_: f32;
+    var phi_729_: evaluate_Verdict;
+    var phi_730_: evaluate_Verdict;
+    var phi_734_: bool;
+    var phi_735_: u32;
+    var phi_741_: u32;
 
-    let _e35 = id_1;
-    let _e36 = local_2;
-    let _e41 = arrayLength((&map.member));
-    if (_e36 == 0u) {
+    let _e38 = id_1;
+    let _e39 = local_2;
+    let _e44 = arrayLength((&map.member));
+    if (_e39 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e48 = p.member.size[0u];
-    let _e50 = p.member.size[1u];
-    let _e51 = lt_shaders_entry_pixel_index(_e35, _e48, _e50);
-    if (bitcast<i32>(_e51.root) != 0i) {
-        let _e58 = p.member.light;
-        let _e61 = samples.member[_e51.first_primitive].normal[0u];
-        let _e63 = global[0u];
-        if (_e61 == _e63) {
-            let _e66 = samples.member[_e51.first_primitive].normal[1u];
-            let _e68 = global[1u];
-            if (_e66 == _e68) {
-                let _e71 = samples.member[_e51.first_primitive].normal[2u];
-                let _e73 = global[2u];
-                phi_398_ = (_e71 == _e73);
-                phi_399_ = false;
+    let _e51 = p.member.size[0u];
+    let _e53 = p.member.size[1u];
+    let _e54 = lt_shaders_entry_pixel_index(_e38, _e51, _e53);
+    if (bitcast<i32>(_e54.root) != 0i) {
+        let _e61 = p.member.light;
+        let _e64 = samples.member[_e54.first_primitive].normal[0u];
+        let _e66 = global[0u];
+        if (_e64 == _e66) {
+            let _e69 = samples.member[_e54.first_primitive].normal[1u];
+            let _e71 = global[1u];
+            if (_e69 == _e71) {
+                let _e74 = samples.member[_e54.first_primitive].normal[2u];
+                let _e76 = global[2u];
+                phi_297_ = (_e74 == _e76);
+                phi_298_ = false;
             } else {
-                phi_398_ = bool();
-                phi_399_ = true;
+                phi_297_ = bool();
+                phi_298_ = true;
             }
-            let _e76 = phi_398_;
-            let _e78 = phi_399_;
-            phi_400_ = _e76;
-            phi_401_ = _e78;
+            let _e79 = phi_297_;
+            let _e81 = phi_298_;
+            phi_299_ = _e79;
+            phi_300_ = _e81;
         } else {
-            phi_400_ = bool();
-            phi_401_ = true;
+            phi_299_ = bool();
+            phi_300_ = true;
         }
-        let _e80 = phi_400_;
-        let _e82 = phi_401_;
-        if _e82 {
-            phi_405_ = false;
+        let _e83 = phi_299_;
+        let _e85 = phi_300_;
+        if _e85 {
+            phi_304_ = false;
         } else {
-            phi_405_ = _e80;
+            phi_304_ = _e83;
         }
-        let _e84 = phi_405_;
-        if !(_e84) {
-            let _e87 = samples.member[_e51.first_primitive].normal;
-            let _e89 = samples.member[_e51.first_primitive].position;
-            let _e90 = lt_shaders_evaluate_to_light(_e89, _e58);
-            if ((((_e87.x * _e90.x) + (_e87.y * _e90.y)) + (_e87.z * _e90.z)) > 0f) {
-                let _e104 = samples.member[_e51.first_primitive].flags;
-                let _e112 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e118 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e112.unnamed.visibility, false), _e112.unnamed_1);
-                phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e118.unnamed, ((_e104 & 1u) == 0u));
+        let _e87 = phi_304_;
+        if !(_e87) {
+            let _e90 = samples.member[_e54.first_primitive].normal;
+            let _e92 = samples.member[_e54.first_primitive].position;
+            if ((((_e90.x * (_e61.x - (_e92.x * _e61.w))) + (_e90.y * (_e61.y - (_e92.y * _e61.w)))) + (_e90.z * (_e61.z - (_e92.z * _e61.w)))) > 0f) {
+                let _e116 = samples.member[_e54.first_primitive].flags;
+                let _e124 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e130 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e124.unnamed.visibility, false), _e124.unnamed_1);
+                phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, ((_e116 & 1u) == 0u));
             } else {
-                let _e127 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e127.unnamed.visibility, false), _e127.unnamed_1);
-                phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e133.unnamed, true);
+                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
+                phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, true);
             }
-            let _e138 = phi_440_;
-            phi_444_ = _e138;
+            let _e150 = phi_348_;
+            phi_352_ = _e150;
         } else {
-            let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e144.unnamed.visibility, false), _e144.unnamed_1);
-            phi_444_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e150.unnamed, true);
+            let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
+            phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
         }
-        let _e155 = phi_444_;
-        if _e155.unnamed_1 {
-            phi_714_ = evaluate_Verdict(_e155.unnamed.visibility, _e155.unnamed.is_doubted);
+        let _e167 = phi_352_;
+        if _e167.unnamed_1 {
+            phi_730_ = evaluate_Verdict(_e167.unnamed.visibility, _e167.unnamed.is_doubted);
         } else {
-            let _e163 = samples.member[_e51.first_primitive].position;
-            let _e169 = p.member.projection.row_w;
-            let _e180 = ((((_e169.x * _e163.x) + (_e169.y * _e163.y)) + (_e169.z * _e163.z)) + (_e169.w * 1f));
-            let _e182 = p.member.projection.row_x;
-            let _e194 = (((((_e182.x * _e163.x) + (_e182.y * _e163.y)) + (_e182.z * _e163.z)) + (_e182.w * 1f)) / _e180);
-            let _e196 = p.member.projection.row_y;
-            let _e208 = (((((_e196.x * _e163.x) + (_e196.y * _e163.y)) + (_e196.z * _e163.z)) + (_e196.w * 1f)) / _e180);
-            let _e210 = p.member.projection.row_z;
-            let _e221 = ((((_e210.x * _e163.x) + (_e210.y * _e163.y)) + (_e210.z * _e163.z)) + (_e210.w * 1f));
-            if (_e180 > 0f) {
-                if (_e194 >= 0f) {
-                    if (_e194 <= 1f) {
-                        if (_e208 >= 0f) {
-                            if (_e208 <= 1f) {
-                                if (_e221 >= 0f) {
-                                    phi_537_ = (_e221 <= 1f);
-                                    phi_538_ = false;
-                                } else {
-                                    phi_537_ = bool();
-                                    phi_538_ = true;
-                                }
-                                let _e230 = phi_537_;
-                                let _e232 = phi_538_;
-                                phi_539_ = _e230;
-                                phi_540_ = _e232;
-                            } else {
-                                phi_539_ = bool();
-                                phi_540_ = true;
-                            }
-                            let _e234 = phi_539_;
-                            let _e236 = phi_540_;
-                            phi_541_ = _e234;
-                            phi_542_ = _e236;
-                        } else {
-                            phi_541_ = bool();
-                            phi_542_ = true;
-                        }
-                        let _e238 = phi_541_;
-                        let _e240 = phi_542_;
-                        phi_543_ = _e238;
-                        phi_544_ = _e240;
+            let _e175 = samples.member[_e54.first_primitive].position;
+            let _e181 = p.member.projection.row_w;
+            let _e192 = ((((_e181.x * _e175.x) + (_e181.y * _e175.y)) + (_e181.z * _e175.z)) + (_e181.w * 1f));
+            let _e194 = p.member.projection.row_x;
+            let _e206 = (((((_e194.x * _e175.x) + (_e194.y * _e175.y)) + (_e194.z * _e175.z)) + (_e194.w * 1f)) / _e192);
+            let _e208 = p.member.projection.row_y;
+            let _e220 = (((((_e208.x * _e175.x) + (_e208.y * _e175.y)) + (_e208.z * _e175.z)) + (_e208.w * 1f)) / _e192);
+            let _e222 = p.member.projection.row_z;
+            let _e233 = ((((_e222.x * _e175.x) + (_e222.y * _e175.y)) + (_e222.z * _e175.z)) + (_e222.w * 1f));
+            if (_e192 > 0f) {
+                if (_e206 >= 0f) {
+                    phi_429_ = (_e206 <= 1f);
+                } else {
+                    phi_429_ = false;
+                }
+                let _e238 = phi_429_;
+                if _e238 {
+                    if (_e220 >= 0f) {
+                        phi_438_ = (_e220 <= 1f);
                     } else {
-                        phi_543_ = bool();
-                        phi_544_ = true;
+                        phi_438_ = false;
                     }
-                    let _e242 = phi_543_;
-                    let _e244 = phi_544_;
-                    phi_545_ = _e242;
-                    phi_546_ = _e244;
+                    let _e242 = phi_438_;
+                    if _e242 {
+                        if (_e233 >= 0f) {
+                            phi_447_ = (_e233 <= 1f);
+                        } else {
+                            phi_447_ = false;
+                        }
+                        let _e246 = phi_447_;
+                        phi_448_ = _e246;
+                        phi_449_ = false;
+                    } else {
+                        phi_448_ = bool();
+                        phi_449_ = true;
+                    }
+                    let _e248 = phi_448_;
+                    let _e250 = phi_449_;
+                    phi_450_ = _e248;
+                    phi_451_ = _e250;
                 } else {
-                    phi_545_ = bool();
-                    phi_546_ = true;
+                    phi_450_ = bool();
+                    phi_451_ = true;
                 }
-                let _e246 = phi_545_;
-                let _e248 = phi_546_;
-                phi_547_ = _e246;
-                phi_548_ = _e248;
+                let _e252 = phi_450_;
+                let _e254 = phi_451_;
+                phi_452_ = _e252;
+                phi_453_ = _e254;
             } else {
-                phi_547_ = bool();
-                phi_548_ = true;
+                phi_452_ = bool();
+                phi_453_ = true;
             }
-            let _e250 = phi_547_;
-            let _e252 = phi_548_;
-            if _e252 {
-                phi_552_ = false;
+            let _e256 = phi_452_;
+            let _e258 = phi_453_;
+            if _e258 {
+                phi_457_ = false;
             } else {
-                phi_552_ = _e250;
+                phi_457_ = _e256;
             }
-            let _e254 = phi_552_;
-            if _e254 {
-                let _e256 = p.member.map_size;
-                let _e257 = f32(_e256);
-                let _e260 = ((_e194 * _e257) - 0.5f);
-                let _e261 = ((_e208 * _e257) - 0.5f);
-                let _e262 = floor(_e260);
-                let _e263 = floor(_e261);
-                let _e264 = (_e260 - _e262);
-                let _e265 = (_e261 - _e263);
-                let _e286 = ((1f - _e264) * (1f - _e265));
-                let _e288 = (_e264 * (1f - _e265));
-                let _e290 = ((1f - _e264) * _e265);
-                let _e291 = (_e264 * _e265);
-                let _e293 = p.member.test;
-                let _e294 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e293);
-                let _e296 = p.member.map_size;
-                local_1 = _e294;
-                let _e297 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e262), i32(-2147483648), (_e262 < bitcast<f32>(3472883712u))), 2147483647i, (_e262 > bitcast<f32>(1325400063u))), (_e262 == _e262)), select(0i, select(select(i32(_e263), i32(-2147483648), (_e263 < bitcast<f32>(3472883712u))), 2147483647i, (_e263 > bitcast<f32>(1325400063u))), (_e263 == _e263)), _e296);
-                if (_e297[0] < _e41) {
+            let _e260 = phi_457_;
+            if _e260 {
+                let _e262 = p.member.map_size;
+                let _e263 = f32(_e262);
+                let _e266 = ((_e206 * _e263) - 0.5f);
+                let _e267 = ((_e220 * _e263) - 0.5f);
+                if (_e266 > -8388608f) {
+                    let _e279 = f32(select(0i, select(select(i32(_e266), i32(-2147483648), (_e266 < bitcast<f32>(3472883712u))), 2147483647i, (_e266 > bitcast<f32>(1325400063u))), (_e266 == _e266)));
+                    if (_e279 > _e266) {
+                        phi_493_ = 1f;
+                    } else {
+                        phi_493_ = 0f;
+                    }
+                    let _e282 = phi_493_;
+                    if (_e266 < 8388608f) {
+                        phi_498_ = (_e279 - _e282);
+                        phi_499_ = false;
+                    } else {
+                        phi_498_ = f32();
+                        phi_499_ = true;
+                    }
+                    let _e285 = phi_498_;
+                    let _e287 = phi_499_;
+                    phi_500_ = _e285;
+                    phi_501_ = _e287;
+                } else {
+                    phi_500_ = f32();
+                    phi_501_ = true;
+                }
+                let _e289 = phi_500_;
+                let _e291 = phi_501_;
+                if _e291 {
+                    phi_505_ = _e266;
+                } else {
+                    phi_505_ = _e289;
+                }
+                let _e293 = phi_505_;
+                if (_e267 > -8388608f) {
+                    let _e305 = f32(select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)));
+                    if (_e305 > _e267) {
+                        phi_525_ = 1f;
+                    } else {
+                        phi_525_ = 0f;
+                    }
+                    let _e308 = phi_525_;
+                    if (_e267 < 8388608f) {
+                        phi_530_ = (_e305 - _e308);
+                        phi_531_ = false;
+                    } else {
+                        phi_530_ = f32();
+                        phi_531_ = true;
+                    }
+                    let _e311 = phi_530_;
+                    let _e313 = phi_531_;
+                    phi_532_ = _e311;
+                    phi_533_ = _e313;
+                } else {
+                    phi_532_ = f32();
+                    phi_533_ = true;
+                }
+                let _e315 = phi_532_;
+                let _e317 = phi_533_;
+                if _e317 {
+                    phi_537_ = _e267;
+                } else {
+                    phi_537_ = _e315;
+                }
+                let _e319 = phi_537_;
+                let _e320 = (_e266 - _e293);
+                let _e321 = (_e267 - _e319);
+                let _e330 = select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < bitcast<f32>(3472883712u))), 2147483647i, (_e293 > bitcast<f32>(1325400063u))), (_e293 == _e293));
+                let _e339 = select(0i, select(select(i32(_e319), i32(-2147483648), (_e319 < bitcast<f32>(3472883712u))), 2147483647i, (_e319 > bitcast<f32>(1325400063u))), (_e319 == _e319));
+                let _e342 = ((1f - _e320) * (1f - _e321));
+                let _e344 = (_e320 * (1f - _e321));
+                let _e346 = ((1f - _e320) * _e321);
+                let _e347 = (_e320 * _e321);
+                let _e349 = p.member.test;
+                let _e350 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e349);
+                let _e352 = p.member.map_size;
+                local_1 = _e350;
+                let _e354 = (bitcast<i32>(_e352) - 1i);
+                if (_e330 > 0i) {
+                    phi_583_ = _e330;
+                } else {
+                    phi_583_ = 0i;
+                }
+                let _e357 = phi_583_;
+                if (_e339 > 0i) {
+                    phi_588_ = _e339;
+                } else {
+                    phi_588_ = 0i;
+                }
+                let _e360 = phi_588_;
+                if (_e357 < _e354) {
+                    phi_593_ = _e357;
+                } else {
+                    phi_593_ = _e354;
+                }
+                let _e363 = phi_593_;
+                if (_e360 < _e354) {
+                    phi_598_ = _e360;
+                } else {
+                    phi_598_ = _e354;
+                }
+                let _e366 = phi_598_;
+                let _e367 = bitcast<u32>(_e363);
+                let _e369 = (_e330 + 1i);
+                let _e370 = (_e339 + 1i);
+                if (_e369 > 0i) {
+                    phi_607_ = _e369;
+                } else {
+                    phi_607_ = 0i;
+                }
+                let _e373 = phi_607_;
+                if (_e370 > 0i) {
+                    phi_612_ = _e370;
+                } else {
+                    phi_612_ = 0i;
+                }
+                let _e376 = phi_612_;
+                if (_e373 < _e354) {
+                    phi_617_ = _e373;
+                } else {
+                    phi_617_ = _e354;
+                }
+                let _e379 = phi_617_;
+                if (_e376 < _e354) {
+                    phi_622_ = _e376;
+                } else {
+                    phi_622_ = _e354;
+                }
+                let _e382 = phi_622_;
+                let _e383 = bitcast<u32>(_e379);
+                let _e385 = (bitcast<u32>(_e366) * _e352);
+                let _e386 = (bitcast<u32>(_e382) * _e352);
+                let _e387 = (_e385 + _e367);
+                let _e388 = (_e385 + _e383);
+                let _e389 = (_e386 + _e367);
+                let _e390 = (_e386 + _e383);
+                if (_e387 < _e44) {
                 } else {
                     return;
                 }
-                let _e302 = map.member[(0u + _e297[0])];
-                if (_e297[1] < _e41) {
+                let _e394 = map.member[(0u + _e387)];
+                if (_e388 < _e44) {
                 } else {
                     return;
                 }
-                let _e315 = map.member[(0u + _e297[1])];
-                if (_e297[2] < _e41) {
+                let _e406 = map.member[(0u + _e388)];
+                if (_e389 < _e44) {
                 } else {
                     return;
                 }
-                let _e332 = map.member[(0u + _e297[2])];
-                if (_e297[3] < _e41) {
+                let _e422 = map.member[(0u + _e389)];
+                if (_e390 < _e44) {
                 } else {
                     return;
                 }
-                let _e349 = map.member[(0u + _e297[3])];
-                let _e363 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e302.x * _e286) + (_e315.x * _e288)) + (_e332.x * _e290)) + (_e349.x * _e291)), ((((_e302.y * _e286) + (_e315.y * _e288)) + (_e332.y * _e290)) + (_e349.y * _e291)), ((((_e302.z * _e286) + (_e315.z * _e288)) + (_e332.z * _e290)) + (_e349.z * _e291)), ((((_e302.w * _e286) + (_e315.w * _e288)) + (_e332.w * _e290)) + (_e349.w * _e291))), _e221);
-                let _e365 = p.member.epsilon;
-                if (_e363 <= _e365) {
-                    phi_697_ = true;
+                let _e438 = map.member[(0u + _e390)];
+                let _e452 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e394.x * _e342) + (_e406.x * _e344)) + (_e422.x * _e346)) + (_e438.x * _e347)), ((((_e394.y * _e342) + (_e406.y * _e344)) + (_e422.y * _e346)) + (_e438.y * _e347)), ((((_e394.z * _e342) + (_e406.z * _e344)) + (_e422.z * _e346)) + (_e438.z * _e347)), ((((_e394.w * _e342) + (_e406.w * _e344)) + (_e422.w * _e346)) + (_e438.w * _e347))), _e233);
+                let _e454 = p.member.epsilon;
+                if (_e452 <= _e454) {
+                    phi_713_ = true;
                 } else {
-                    phi_697_ = (_e363 >= (1f - _e365));
+                    phi_713_ = (_e452 >= (1f - _e454));
                 }
-                let _e370 = phi_697_;
-                if ((bitcast<u32>(_e363) & 2147483647u) > 2139095040u) {
-                    phi_705_ = true;
+                let _e459 = phi_713_;
+                if ((bitcast<u32>(_e452) & 2147483647u) > 2139095040u) {
+                    phi_721_ = true;
                 } else {
-                    phi_705_ = !(_e370);
+                    phi_721_ = !(_e459);
                 }
-                let _e376 = phi_705_;
-                if (_e363 > 0.5f) {
-                    phi_710_ = 1f;
+                let _e465 = phi_721_;
+                if (_e452 > 0.5f) {
+                    phi_726_ = 1f;
                 } else {
-                    phi_710_ = 0f;
+                    phi_726_ = 0f;
                 }
-                let _e379 = phi_710_;
-                phi_713_ = evaluate_Verdict(_e379, _e376);
+                let _e468 = phi_726_;
+                phi_729_ = evaluate_Verdict(_e468, _e465);
             } else {
-                phi_713_ = evaluate_Verdict(1f, true);
+                phi_729_ = evaluate_Verdict(1f, true);
             }
-            let _e383 = phi_713_;
-            phi_714_ = _e383;
+            let _e472 = phi_729_;
+            phi_730_ = _e472;
         }
-        let _e385 = phi_714_;
-        visibility.member[_e51.first_primitive] = _e385.visibility;
-        phi_718_ = _e385.is_doubted;
-        phi_719_ = _e51.first_primitive;
+        let _e474 = phi_730_;
+        visibility.member[_e54.first_primitive] = _e474.visibility;
+        phi_734_ = _e474.is_doubted;
+        phi_735_ = _e54.first_primitive;
     } else {
-        phi_718_ = false;
-        phi_719_ = 0u;
+        phi_734_ = false;
+        phi_735_ = 0u;
     }
-    let _e390 = phi_718_;
-    let _e392 = phi_719_;
-    if _e390 {
-        let _e394 = atomicAdd((&shared_[0u]), 1u);
-        phi_725_ = _e394;
+    let _e479 = phi_734_;
+    let _e481 = phi_735_;
+    if _e479 {
+        let _e483 = atomicAdd((&shared_[0u]), 1u);
+        phi_741_ = _e483;
     } else {
-        phi_725_ = 0u;
+        phi_741_ = 0u;
     }
-    let _e396 = phi_725_;
+    let _e485 = phi_741_;
     workgroupBarrier();
-    if (_e36 == 0u) {
-        let _e400 = atomicLoad((&shared_[0u]));
-        let _e401 = atomicAdd((&list.member[3u]), _e400);
-        atomicStore((&shared_[1u]), _e401);
+    if (_e39 == 0u) {
+        let _e489 = atomicLoad((&shared_[0u]));
+        let _e490 = atomicAdd((&list.member[3u]), _e489);
+        atomicStore((&shared_[1u]), _e490);
     }
     workgroupBarrier();
-    if _e390 {
-        let _e404 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e404) + _e396)]), _e392);
+    if _e479 {
+        let _e493 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e493) + _e485)]), _e481);
     }
     return;
 }

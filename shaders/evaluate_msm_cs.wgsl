@@ -14,11 +14,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_20 {
+struct type_17 {
     member: array<abi_Sample>,
 }
 
-struct type_24 {
+struct type_21 {
     member: array<f32>,
 }
 
@@ -40,7 +40,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_31 {
+struct type_29 {
     member: abi_ShadowParams,
 }
 
@@ -56,47 +56,47 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_20;
+var<storage> samples: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_31;
+var<uniform> p: type_29;
 @group(0) @binding(2) 
-var<storage> map: type_24;
+var<storage> map: type_21;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_24;
+var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_133_: lt_bvh_traverse_Tree;
-    var phi_134_: bool;
-    var phi_135_: lt_bvh_traverse_Tree;
-    var phi_136_: bool;
-    var phi_141_: lt_bvh_traverse_Tree;
+    var phi_130_: lt_bvh_traverse_Tree;
+    var phi_131_: bool;
+    var phi_132_: lt_bvh_traverse_Tree;
+    var phi_133_: bool;
+    var phi_138_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_133_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_134_ = false;
+            phi_130_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_131_ = false;
         } else {
-            phi_133_ = lt_bvh_traverse_Tree();
-            phi_134_ = true;
+            phi_130_ = lt_bvh_traverse_Tree();
+            phi_131_ = true;
         }
-        let _e44 = phi_133_;
-        let _e46 = phi_134_;
-        phi_135_ = _e44;
-        phi_136_ = _e46;
+        let _e46 = phi_130_;
+        let _e48 = phi_131_;
+        phi_132_ = _e46;
+        phi_133_ = _e48;
     } else {
-        phi_135_ = lt_bvh_traverse_Tree();
-        phi_136_ = true;
+        phi_132_ = lt_bvh_traverse_Tree();
+        phi_133_ = true;
     }
-    let _e48 = phi_135_;
-    let _e50 = phi_136_;
-    if _e50 {
-        phi_141_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e50 = phi_132_;
+    let _e52 = phi_133_;
+    if _e52 {
+        phi_138_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_141_ = _e48;
+        phi_138_ = _e50;
     }
-    let _e55 = phi_141_;
-    return lt_bvh_traverse_Tree(_e55.root, _e55.first_primitive);
+    let _e57 = phi_138_;
+    return lt_bvh_traverse_Tree(_e57.root, _e57.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -104,507 +104,569 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: f32) -> vec4<f32> {
-    var phi_164_: f32;
-    var phi_165_: f32;
-    var phi_166_: f32;
+    var phi_161_: f32;
+    var phi_162_: f32;
+    var phi_163_: f32;
 
     if ((bitcast<u32>(param_4) & 2147483647u) > 2139095040u) {
-        phi_166_ = param_4;
+        phi_163_ = param_4;
     } else {
         if (param_4 < 0f) {
-            phi_165_ = 0f;
+            phi_162_ = 0f;
         } else {
             if (param_4 > 1f) {
-                phi_164_ = 1f;
+                phi_161_ = 1f;
             } else {
-                phi_164_ = param_4;
+                phi_161_ = param_4;
             }
-            let _e38 = phi_164_;
-            phi_165_ = _e38;
+            let _e40 = phi_161_;
+            phi_162_ = _e40;
         }
-        let _e40 = phi_165_;
-        phi_166_ = _e40;
+        let _e42 = phi_162_;
+        phi_163_ = _e42;
     }
-    let _e42 = phi_166_;
-    let _e43 = (_e42 * _e42);
-    return vec4<f32>(_e42, _e43, (_e43 * _e42), (_e43 * _e43));
+    let _e44 = phi_163_;
+    let _e45 = (_e44 * _e44);
+    return vec4<f32>(_e44, _e45, (_e45 * _e44), (_e45 * _e45));
 }
 
-fn lt_shaders_evaluate_to_light(param_5: vec3<f32>, param_6: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_6.x - (param_5.x * param_6.w)), (param_6.y - (param_5.y * param_6.w)), (param_6.z - (param_5.z * param_6.w)));
-}
+fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_709_: f32;
+    var phi_710_: f32;
+    var phi_711_: f32;
+    var phi_717_: bool;
+    var phi_739_: f32;
+    var phi_740_: f32;
+    var phi_741_: f32;
+    var phi_742_: f32;
+    var phi_743_: bool;
+    var phi_744_: f32;
+    var phi_745_: bool;
+    var phi_783_: vec2<f32>;
+    var phi_817_: f32;
+    var phi_818_: f32;
+    var phi_819_: f32;
+    var phi_848_: f32;
+    var phi_849_: f32;
+    var phi_850_: f32;
+    var phi_854_: f32;
+    var phi_855_: f32;
+    var phi_856_: f32;
+    var phi_857_: f32;
 
-fn lt_shaders_evaluate_quad_indices(param_7: i32, param_8: i32, param_9: u32) -> array<u32, 4> {
-    var phi_198_: i32;
-    var phi_203_: i32;
-    var phi_208_: i32;
-    var phi_213_: i32;
-    var phi_222_: i32;
-    var phi_227_: i32;
-    var phi_232_: i32;
-    var phi_237_: i32;
-
-    let _e35 = (bitcast<i32>(param_9) - 1i);
-    if (param_7 > 0i) {
-        phi_198_ = param_7;
+    let _e36 = (*param_5);
+    let _e37 = (1f - _e36);
+    let _e46 = (0.5f * _e36);
+    let _e47 = ((param_6.x * _e37) + _e46);
+    let _e48 = ((param_6.y * _e37) + _e46);
+    let _e50 = ((param_6.w * _e37) + _e46);
+    let _e52 = (_e48 - (_e47 * _e47));
+    let _e54 = (((param_6.z * _e37) + _e46) - (_e47 * _e48));
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_711_ = param_7;
     } else {
-        phi_198_ = 0i;
-    }
-    let _e38 = phi_198_;
-    if (param_8 > 0i) {
-        phi_203_ = param_8;
-    } else {
-        phi_203_ = 0i;
-    }
-    let _e41 = phi_203_;
-    if (_e38 < _e35) {
-        phi_208_ = _e38;
-    } else {
-        phi_208_ = _e35;
-    }
-    let _e44 = phi_208_;
-    if (_e41 < _e35) {
-        phi_213_ = _e41;
-    } else {
-        phi_213_ = _e35;
-    }
-    let _e47 = phi_213_;
-    let _e48 = bitcast<u32>(_e44);
-    let _e50 = (param_7 + 1i);
-    let _e51 = (param_8 + 1i);
-    if (_e50 > 0i) {
-        phi_222_ = _e50;
-    } else {
-        phi_222_ = 0i;
-    }
-    let _e54 = phi_222_;
-    if (_e51 > 0i) {
-        phi_227_ = _e51;
-    } else {
-        phi_227_ = 0i;
-    }
-    let _e57 = phi_227_;
-    if (_e54 < _e35) {
-        phi_232_ = _e54;
-    } else {
-        phi_232_ = _e35;
-    }
-    let _e60 = phi_232_;
-    if (_e57 < _e35) {
-        phi_237_ = _e57;
-    } else {
-        phi_237_ = _e35;
-    }
-    let _e63 = phi_237_;
-    let _e64 = bitcast<u32>(_e60);
-    let _e66 = (bitcast<u32>(_e47) * param_9);
-    let _e67 = (bitcast<u32>(_e63) * param_9);
-    return array<u32, 4>((_e66 + _e48), (_e66 + _e64), (_e67 + _e48), (_e67 + _e64));
-}
-
-fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_10: ptr<function, f32>, param_11: vec4<f32>, param_12: f32) -> f32 {
-    var phi_671_: f32;
-    var phi_672_: f32;
-    var phi_673_: f32;
-    var phi_696_: f32;
-    var phi_697_: f32;
-    var phi_698_: f32;
-    var phi_699_: f32;
-    var phi_700_: bool;
-    var phi_701_: f32;
-    var phi_702_: bool;
-    var phi_740_: vec2<f32>;
-    var phi_774_: f32;
-    var phi_775_: f32;
-    var phi_776_: f32;
-    var phi_805_: f32;
-    var phi_806_: f32;
-    var phi_807_: f32;
-    var phi_811_: f32;
-    var phi_812_: f32;
-    var phi_813_: f32;
-    var phi_814_: f32;
-
-    let _e34 = (*param_10);
-    let _e35 = (1f - _e34);
-    let _e44 = (0.5f * _e34);
-    let _e45 = ((param_11.x * _e35) + _e44);
-    let _e46 = ((param_11.y * _e35) + _e44);
-    let _e48 = ((param_11.w * _e35) + _e44);
-    let _e50 = (_e46 - (_e45 * _e45));
-    let _e52 = (((param_11.z * _e35) + _e44) - (_e45 * _e46));
-    if ((bitcast<u32>(param_12) & 2147483647u) > 2139095040u) {
-        phi_673_ = param_12;
-    } else {
-        if (param_12 < 0f) {
-            phi_672_ = 0f;
+        if (param_7 < 0f) {
+            phi_710_ = 0f;
         } else {
-            if (param_12 > 1f) {
-                phi_671_ = 1f;
+            if (param_7 > 1f) {
+                phi_709_ = 1f;
             } else {
-                phi_671_ = param_12;
+                phi_709_ = param_7;
             }
-            let _e64 = phi_671_;
-            phi_672_ = _e64;
+            let _e66 = phi_709_;
+            phi_710_ = _e66;
         }
-        let _e66 = phi_672_;
-        phi_673_ = _e66;
+        let _e68 = phi_710_;
+        phi_711_ = _e68;
     }
-    let _e68 = phi_673_;
-    if (_e45 == _e48) {
-        if (_e68 > 0f) {
-            if ((bitcast<u32>(_e45) & 2147483647u) > 2139095040u) {
-                phi_698_ = _e45;
+    let _e70 = phi_711_;
+    if (_e47 == _e50) {
+        phi_717_ = (_e47 > 0.5f);
+    } else {
+        phi_717_ = false;
+    }
+    let _e74 = phi_717_;
+    if _e74 {
+        if (_e70 > 0f) {
+            if ((bitcast<u32>(_e47) & 2147483647u) > 2139095040u) {
+                phi_741_ = _e47;
             } else {
-                if (_e45 < 0f) {
-                    phi_697_ = 0f;
+                if (_e47 < 0f) {
+                    phi_740_ = 0f;
                 } else {
-                    if (_e45 > 1f) {
-                        phi_696_ = 1f;
+                    if (_e47 > 1f) {
+                        phi_739_ = 1f;
                     } else {
-                        phi_696_ = _e45;
+                        phi_739_ = _e47;
                     }
-                    let _e77 = phi_696_;
-                    phi_697_ = _e77;
+                    let _e82 = phi_739_;
+                    phi_740_ = _e82;
                 }
-                let _e79 = phi_697_;
-                phi_698_ = _e79;
+                let _e84 = phi_740_;
+                phi_741_ = _e84;
             }
-            let _e81 = phi_698_;
-            phi_699_ = _e81;
-            phi_700_ = false;
+            let _e86 = phi_741_;
+            phi_742_ = _e86;
+            phi_743_ = false;
         } else {
-            phi_699_ = f32();
-            phi_700_ = true;
+            phi_742_ = f32();
+            phi_743_ = true;
         }
-        let _e83 = phi_699_;
-        let _e85 = phi_700_;
-        phi_701_ = _e83;
-        phi_702_ = _e85;
+        let _e88 = phi_742_;
+        let _e90 = phi_743_;
+        phi_744_ = _e88;
+        phi_745_ = _e90;
     } else {
-        phi_701_ = f32();
-        phi_702_ = true;
+        phi_744_ = f32();
+        phi_745_ = true;
     }
-    let _e87 = phi_701_;
-    let _e89 = phi_702_;
-    if _e89 {
-        let _e90 = (_e52 / _e50);
-        let _e91 = (_e68 - _e45);
-        let _e97 = (((((_e68 * _e68) - _e46) - (_e90 * _e91)) * _e50) / (((_e48 - (_e46 * _e46)) * _e50) - (_e52 * _e52)));
-        let _e100 = ((_e91 / _e50) - (_e90 * _e97));
-        let _e106 = ((0.5f * _e100) / _e97);
-        let _e109 = ((_e106 * _e106) - (((1f - (_e100 * _e45)) - (_e97 * _e46)) / _e97));
-        if (_e109 >= 0f) {
-            let _e111 = sqrt(_e109);
-            phi_740_ = vec2<f32>((-(_e106) - _e111), (-(_e106) + _e111));
+    let _e92 = phi_744_;
+    let _e94 = phi_745_;
+    if _e94 {
+        let _e95 = (_e54 / _e52);
+        let _e96 = (_e70 - _e47);
+        let _e102 = (((((_e70 * _e70) - _e48) - (_e95 * _e96)) * _e52) / (((_e50 - (_e48 * _e48)) * _e52) - (_e54 * _e54)));
+        let _e105 = ((_e96 / _e52) - (_e95 * _e102));
+        let _e111 = ((0.5f * _e105) / _e102);
+        let _e114 = ((_e111 * _e111) - (((1f - (_e105 * _e47)) - (_e102 * _e48)) / _e102));
+        if (_e114 >= 0f) {
+            let _e116 = sqrt(_e114);
+            phi_783_ = vec2<f32>((-(_e111) - _e116), (-(_e111) + _e116));
         } else {
-            phi_740_ = vec2(bitcast<f32>((bitcast<u32>(_e109) | 2143289344u)));
+            phi_783_ = vec2(bitcast<f32>((bitcast<u32>(_e114) | 2143289344u)));
         }
-        let _e122 = phi_740_;
-        if (_e68 <= _e122.x) {
-            phi_813_ = 1f;
+        let _e127 = phi_783_;
+        if (_e70 <= _e127.x) {
+            phi_856_ = 1f;
         } else {
-            if (_e68 > _e122.y) {
-                let _e135 = (((_e46 - (_e45 * (_e122.x + _e122.y))) + (_e122.x * _e122.y)) / ((_e68 - _e122.x) * (_e68 - _e122.y)));
-                if ((bitcast<u32>(_e135) & 2147483647u) > 2139095040u) {
-                    phi_776_ = _e135;
+            if (_e70 > _e127.y) {
+                let _e140 = (((_e48 - (_e47 * (_e127.x + _e127.y))) + (_e127.x * _e127.y)) / ((_e70 - _e127.x) * (_e70 - _e127.y)));
+                if ((bitcast<u32>(_e140) & 2147483647u) > 2139095040u) {
+                    phi_819_ = _e140;
                 } else {
-                    if (_e135 < 0f) {
-                        phi_775_ = 0f;
+                    if (_e140 < 0f) {
+                        phi_818_ = 0f;
                     } else {
-                        if (_e135 > 1f) {
-                            phi_774_ = 1f;
+                        if (_e140 > 1f) {
+                            phi_817_ = 1f;
                         } else {
-                            phi_774_ = _e135;
+                            phi_817_ = _e140;
                         }
-                        let _e142 = phi_774_;
-                        phi_775_ = _e142;
+                        let _e147 = phi_817_;
+                        phi_818_ = _e147;
                     }
-                    let _e144 = phi_775_;
-                    phi_776_ = _e144;
+                    let _e149 = phi_818_;
+                    phi_819_ = _e149;
                 }
-                let _e146 = phi_776_;
-                phi_812_ = _e146;
+                let _e151 = phi_819_;
+                phi_855_ = _e151;
             } else {
-                if (_e68 > _e122.x) {
-                    let _e157 = (1f - (((_e46 - (_e45 * (_e68 + _e122.y))) + (_e68 * _e122.y)) / ((_e122.x - _e68) * (_e122.x - _e122.y))));
-                    if ((bitcast<u32>(_e157) & 2147483647u) > 2139095040u) {
-                        phi_807_ = _e157;
+                if (_e70 > _e127.x) {
+                    let _e162 = (1f - (((_e48 - (_e47 * (_e70 + _e127.y))) + (_e70 * _e127.y)) / ((_e127.x - _e70) * (_e127.x - _e127.y))));
+                    if ((bitcast<u32>(_e162) & 2147483647u) > 2139095040u) {
+                        phi_850_ = _e162;
                     } else {
-                        if (_e157 < 0f) {
-                            phi_806_ = 0f;
+                        if (_e162 < 0f) {
+                            phi_849_ = 0f;
                         } else {
-                            if (_e157 > 1f) {
-                                phi_805_ = 1f;
+                            if (_e162 > 1f) {
+                                phi_848_ = 1f;
                             } else {
-                                phi_805_ = _e157;
+                                phi_848_ = _e162;
                             }
-                            let _e164 = phi_805_;
-                            phi_806_ = _e164;
+                            let _e169 = phi_848_;
+                            phi_849_ = _e169;
                         }
-                        let _e166 = phi_806_;
-                        phi_807_ = _e166;
+                        let _e171 = phi_849_;
+                        phi_850_ = _e171;
                     }
-                    let _e168 = phi_807_;
-                    phi_811_ = _e168;
+                    let _e173 = phi_850_;
+                    phi_854_ = _e173;
                 } else {
-                    phi_811_ = bitcast<f32>((bitcast<u32>(_e122.x) | 2143289344u));
+                    phi_854_ = bitcast<f32>((bitcast<u32>(_e127.x) | 2143289344u));
                 }
-                let _e173 = phi_811_;
-                phi_812_ = _e173;
+                let _e178 = phi_854_;
+                phi_855_ = _e178;
             }
-            let _e175 = phi_812_;
-            phi_813_ = _e175;
+            let _e180 = phi_855_;
+            phi_856_ = _e180;
         }
-        let _e177 = phi_813_;
-        phi_814_ = _e177;
+        let _e182 = phi_856_;
+        phi_857_ = _e182;
     } else {
-        phi_814_ = _e87;
+        phi_857_ = _e92;
     }
-    let _e179 = phi_814_;
-    return _e179;
+    let _e184 = phi_857_;
+    return _e184;
 }
 
-fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_13: ptr<function, f32>, param_14: vec4<f32>, param_15: vec4<f32>, param_16: f32) -> f32 {
-    let _e36 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_14.x);
-    let _e38 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_14.y);
-    let _e40 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_14.z);
-    let _e42 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_14.w);
-    let _e92 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_13, vec4<f32>(((((_e36.x * param_15.x) + (_e38.x * param_15.y)) + (_e40.x * param_15.z)) + (_e42.x * param_15.w)), ((((_e36.y * param_15.x) + (_e38.y * param_15.y)) + (_e40.y * param_15.z)) + (_e42.y * param_15.w)), ((((_e36.z * param_15.x) + (_e38.z * param_15.y)) + (_e40.z * param_15.z)) + (_e42.z * param_15.w)), ((((_e36.w * param_15.x) + (_e38.w * param_15.y)) + (_e40.w * param_15.z)) + (_e42.w * param_15.w))), param_16);
-    return _e92;
+fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_8: ptr<function, f32>, param_9: vec4<f32>, param_10: vec4<f32>, param_11: f32) -> f32 {
+    let _e38 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_9.x);
+    let _e40 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_9.y);
+    let _e42 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_9.z);
+    let _e44 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_9.w);
+    let _e94 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_8, vec4<f32>(((((_e38.x * param_10.x) + (_e40.x * param_10.y)) + (_e42.x * param_10.z)) + (_e44.x * param_10.w)), ((((_e38.y * param_10.x) + (_e40.y * param_10.y)) + (_e42.y * param_10.z)) + (_e44.y * param_10.w)), ((((_e38.z * param_10.x) + (_e40.z * param_10.y)) + (_e42.z * param_10.z)) + (_e44.z * param_10.w)), ((((_e38.w * param_10.x) + (_e40.w * param_10.y)) + (_e42.w * param_10.z)) + (_e44.w * param_10.w))), param_11);
+    return _e94;
 }
 
 fn function_() {
     var local: f32;
-    var phi_300_: bool;
-    var phi_301_: bool;
-    var phi_302_: bool;
-    var phi_303_: bool;
-    var phi_307_: bool;
-    var phi_342_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_346_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_439_: bool;
-    var phi_440_: bool;
-    var phi_441_: bool;
-    var phi_442_: bool;
-    var phi_443_: bool;
-    var phi_444_: bool;
-    var phi_445_: bool;
-    var phi_446_: bool;
-    var phi_447_: bool;
-    var phi_448_: bool;
-    var phi_449_: bool;
-    var phi_450_: bool;
-    var phi_454_: bool;
-    var phi_549_: evaluate_Verdict;
-    var phi_550_: evaluate_Verdict;
-    var phi_551_: bool;
-    var phi_552_: evaluate_Verdict;
-    var phi_553_: evaluate_Verdict;
-    var phi_554_: bool;
-    var phi_558_: evaluate_Verdict;
+    var phi_221_: bool;
+    var phi_222_: bool;
+    var phi_223_: bool;
+    var phi_224_: bool;
+    var phi_228_: bool;
+    var phi_272_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_276_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_353_: bool;
+    var phi_362_: bool;
+    var phi_371_: bool;
+    var phi_372_: bool;
+    var phi_373_: bool;
+    var phi_374_: bool;
+    var phi_375_: bool;
+    var phi_376_: bool;
+    var phi_377_: bool;
+    var phi_381_: bool;
+    var phi_417_: f32;
+    var phi_422_: f32;
+    var phi_423_: bool;
+    var phi_424_: f32;
+    var phi_425_: bool;
+    var phi_429_: f32;
+    var phi_449_: f32;
+    var phi_454_: f32;
+    var phi_455_: bool;
+    var phi_456_: f32;
+    var phi_457_: bool;
+    var phi_461_: f32;
+    var phi_507_: i32;
+    var phi_512_: i32;
+    var phi_517_: i32;
+    var phi_522_: i32;
+    var phi_531_: i32;
+    var phi_536_: i32;
+    var phi_541_: i32;
+    var phi_546_: i32;
+    var phi_587_: evaluate_Verdict;
+    var phi_588_: evaluate_Verdict;
+    var phi_589_: bool;
+    var phi_590_: evaluate_Verdict;
+    var phi_591_: evaluate_Verdict;
+    var phi_592_: bool;
+    var phi_596_: evaluate_Verdict;
 
-    let _e32 = id_1;
-    let _e39 = arrayLength((&map.member));
-    let _e45 = p.member.size[0u];
-    let _e47 = p.member.size[1u];
-    let _e48 = lt_shaders_entry_pixel_index(_e32, _e45, _e47);
-    if (bitcast<i32>(_e48.root) != 0i) {
-        if (_e48.first_primitive < arrayLength((&samples.member))) {
+    let _e34 = id_1;
+    let _e41 = arrayLength((&map.member));
+    let _e47 = p.member.size[0u];
+    let _e49 = p.member.size[1u];
+    let _e50 = lt_shaders_entry_pixel_index(_e34, _e47, _e49);
+    if (bitcast<i32>(_e50.root) != 0i) {
+        if (_e50.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e57 = p.member.light;
-        let _e60 = samples.member[(0u + _e48.first_primitive)].normal[0u];
-        let _e62 = global[0u];
-        if (_e60 == _e62) {
-            let _e65 = samples.member[(0u + _e48.first_primitive)].normal[1u];
-            let _e67 = global[1u];
-            if (_e65 == _e67) {
-                let _e70 = samples.member[(0u + _e48.first_primitive)].normal[2u];
-                let _e72 = global[2u];
-                phi_300_ = (_e70 == _e72);
-                phi_301_ = false;
+        let _e59 = p.member.light;
+        let _e62 = samples.member[(0u + _e50.first_primitive)].normal[0u];
+        let _e64 = global[0u];
+        if (_e62 == _e64) {
+            let _e67 = samples.member[(0u + _e50.first_primitive)].normal[1u];
+            let _e69 = global[1u];
+            if (_e67 == _e69) {
+                let _e72 = samples.member[(0u + _e50.first_primitive)].normal[2u];
+                let _e74 = global[2u];
+                phi_221_ = (_e72 == _e74);
+                phi_222_ = false;
             } else {
-                phi_300_ = bool();
-                phi_301_ = true;
+                phi_221_ = bool();
+                phi_222_ = true;
             }
-            let _e75 = phi_300_;
-            let _e77 = phi_301_;
-            phi_302_ = _e75;
-            phi_303_ = _e77;
+            let _e77 = phi_221_;
+            let _e79 = phi_222_;
+            phi_223_ = _e77;
+            phi_224_ = _e79;
         } else {
-            phi_302_ = bool();
-            phi_303_ = true;
+            phi_223_ = bool();
+            phi_224_ = true;
         }
-        let _e79 = phi_302_;
-        let _e81 = phi_303_;
-        if _e81 {
-            phi_307_ = false;
+        let _e81 = phi_223_;
+        let _e83 = phi_224_;
+        if _e83 {
+            phi_228_ = false;
         } else {
-            phi_307_ = _e79;
+            phi_228_ = _e81;
         }
-        let _e83 = phi_307_;
-        if !(_e83) {
-            let _e86 = samples.member[(0u + _e48.first_primitive)].normal;
-            let _e88 = samples.member[(0u + _e48.first_primitive)].position;
-            let _e89 = lt_shaders_evaluate_to_light(_e88, _e57);
-            if ((((_e86.x * _e89.x) + (_e86.y * _e89.y)) + (_e86.z * _e89.z)) > 0f) {
-                let _e103 = samples.member[(0u + _e48.first_primitive)].flags;
-                let _e111 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e117 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e111.unnamed.visibility, false), _e111.unnamed_1);
-                phi_342_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e117.unnamed, ((_e103 & 1u) == 0u));
+        let _e85 = phi_228_;
+        if !(_e85) {
+            let _e88 = samples.member[(0u + _e50.first_primitive)].normal;
+            let _e90 = samples.member[(0u + _e50.first_primitive)].position;
+            if ((((_e88.x * (_e59.x - (_e90.x * _e59.w))) + (_e88.y * (_e59.y - (_e90.y * _e59.w)))) + (_e88.z * (_e59.z - (_e90.z * _e59.w)))) > 0f) {
+                let _e114 = samples.member[(0u + _e50.first_primitive)].flags;
+                let _e122 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e122.unnamed.visibility, false), _e122.unnamed_1);
+                phi_272_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e128.unnamed, ((_e114 & 1u) == 0u));
             } else {
-                let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
-                phi_342_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, true);
+                let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
+                phi_272_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, true);
             }
-            let _e137 = phi_342_;
-            phi_346_ = _e137;
+            let _e148 = phi_272_;
+            phi_276_ = _e148;
         } else {
-            let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
-            phi_346_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
+            let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e154.unnamed.visibility, false), _e154.unnamed_1);
+            phi_276_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e160.unnamed, true);
         }
-        let _e154 = phi_346_;
-        if _e154.unnamed_1 {
-            phi_552_ = evaluate_Verdict(_e154.unnamed.visibility, _e154.unnamed.is_doubted);
-            phi_553_ = evaluate_Verdict();
-            phi_554_ = true;
+        let _e165 = phi_276_;
+        if _e165.unnamed_1 {
+            phi_590_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
+            phi_591_ = evaluate_Verdict();
+            phi_592_ = true;
         } else {
-            let _e162 = samples.member[(0u + _e48.first_primitive)].position;
-            let _e168 = p.member.projection.row_w;
-            let _e179 = ((((_e168.x * _e162.x) + (_e168.y * _e162.y)) + (_e168.z * _e162.z)) + (_e168.w * 1f));
-            let _e181 = p.member.projection.row_x;
-            let _e193 = (((((_e181.x * _e162.x) + (_e181.y * _e162.y)) + (_e181.z * _e162.z)) + (_e181.w * 1f)) / _e179);
-            let _e195 = p.member.projection.row_y;
-            let _e207 = (((((_e195.x * _e162.x) + (_e195.y * _e162.y)) + (_e195.z * _e162.z)) + (_e195.w * 1f)) / _e179);
-            let _e209 = p.member.projection.row_z;
-            let _e220 = ((((_e209.x * _e162.x) + (_e209.y * _e162.y)) + (_e209.z * _e162.z)) + (_e209.w * 1f));
-            if (_e179 > 0f) {
-                if (_e193 >= 0f) {
-                    if (_e193 <= 1f) {
-                        if (_e207 >= 0f) {
-                            if (_e207 <= 1f) {
-                                if (_e220 >= 0f) {
-                                    phi_439_ = (_e220 <= 1f);
-                                    phi_440_ = false;
-                                } else {
-                                    phi_439_ = bool();
-                                    phi_440_ = true;
-                                }
-                                let _e229 = phi_439_;
-                                let _e231 = phi_440_;
-                                phi_441_ = _e229;
-                                phi_442_ = _e231;
-                            } else {
-                                phi_441_ = bool();
-                                phi_442_ = true;
-                            }
-                            let _e233 = phi_441_;
-                            let _e235 = phi_442_;
-                            phi_443_ = _e233;
-                            phi_444_ = _e235;
-                        } else {
-                            phi_443_ = bool();
-                            phi_444_ = true;
-                        }
-                        let _e237 = phi_443_;
-                        let _e239 = phi_444_;
-                        phi_445_ = _e237;
-                        phi_446_ = _e239;
+            let _e173 = samples.member[(0u + _e50.first_primitive)].position;
+            let _e179 = p.member.projection.row_w;
+            let _e190 = ((((_e179.x * _e173.x) + (_e179.y * _e173.y)) + (_e179.z * _e173.z)) + (_e179.w * 1f));
+            let _e192 = p.member.projection.row_x;
+            let _e204 = (((((_e192.x * _e173.x) + (_e192.y * _e173.y)) + (_e192.z * _e173.z)) + (_e192.w * 1f)) / _e190);
+            let _e206 = p.member.projection.row_y;
+            let _e218 = (((((_e206.x * _e173.x) + (_e206.y * _e173.y)) + (_e206.z * _e173.z)) + (_e206.w * 1f)) / _e190);
+            let _e220 = p.member.projection.row_z;
+            let _e231 = ((((_e220.x * _e173.x) + (_e220.y * _e173.y)) + (_e220.z * _e173.z)) + (_e220.w * 1f));
+            if (_e190 > 0f) {
+                if (_e204 >= 0f) {
+                    phi_353_ = (_e204 <= 1f);
+                } else {
+                    phi_353_ = false;
+                }
+                let _e236 = phi_353_;
+                if _e236 {
+                    if (_e218 >= 0f) {
+                        phi_362_ = (_e218 <= 1f);
                     } else {
-                        phi_445_ = bool();
-                        phi_446_ = true;
+                        phi_362_ = false;
                     }
-                    let _e241 = phi_445_;
-                    let _e243 = phi_446_;
-                    phi_447_ = _e241;
-                    phi_448_ = _e243;
+                    let _e240 = phi_362_;
+                    if _e240 {
+                        if (_e231 >= 0f) {
+                            phi_371_ = (_e231 <= 1f);
+                        } else {
+                            phi_371_ = false;
+                        }
+                        let _e244 = phi_371_;
+                        phi_372_ = _e244;
+                        phi_373_ = false;
+                    } else {
+                        phi_372_ = bool();
+                        phi_373_ = true;
+                    }
+                    let _e246 = phi_372_;
+                    let _e248 = phi_373_;
+                    phi_374_ = _e246;
+                    phi_375_ = _e248;
                 } else {
-                    phi_447_ = bool();
-                    phi_448_ = true;
+                    phi_374_ = bool();
+                    phi_375_ = true;
                 }
-                let _e245 = phi_447_;
-                let _e247 = phi_448_;
-                phi_449_ = _e245;
-                phi_450_ = _e247;
+                let _e250 = phi_374_;
+                let _e252 = phi_375_;
+                phi_376_ = _e250;
+                phi_377_ = _e252;
             } else {
-                phi_449_ = bool();
-                phi_450_ = true;
+                phi_376_ = bool();
+                phi_377_ = true;
             }
-            let _e249 = phi_449_;
-            let _e251 = phi_450_;
-            if _e251 {
-                phi_454_ = false;
+            let _e254 = phi_376_;
+            let _e256 = phi_377_;
+            if _e256 {
+                phi_381_ = false;
             } else {
-                phi_454_ = _e249;
+                phi_381_ = _e254;
             }
-            let _e253 = phi_454_;
-            if _e253 {
-                let _e255 = p.member.map_size;
-                let _e256 = f32(_e255);
-                let _e259 = ((_e193 * _e256) - 0.5f);
-                let _e260 = ((_e207 * _e256) - 0.5f);
-                let _e261 = floor(_e259);
-                let _e262 = floor(_e260);
-                let _e263 = (_e259 - _e261);
-                let _e264 = (_e260 - _e262);
-                let _e293 = p.member.test;
-                let _e294 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e293);
-                let _e296 = p.member.map_size;
-                local = _e294;
-                let _e297 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e261), i32(-2147483648), (_e261 < bitcast<f32>(3472883712u))), 2147483647i, (_e261 > bitcast<f32>(1325400063u))), (_e261 == _e261)), select(0i, select(select(i32(_e262), i32(-2147483648), (_e262 < bitcast<f32>(3472883712u))), 2147483647i, (_e262 > bitcast<f32>(1325400063u))), (_e262 == _e262)), _e296);
-                if (_e297[0] < _e39) {
+            let _e258 = phi_381_;
+            if _e258 {
+                let _e260 = p.member.map_size;
+                let _e261 = f32(_e260);
+                let _e264 = ((_e204 * _e261) - 0.5f);
+                let _e265 = ((_e218 * _e261) - 0.5f);
+                if (_e264 > -8388608f) {
+                    let _e277 = f32(select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)));
+                    if (_e277 > _e264) {
+                        phi_417_ = 1f;
+                    } else {
+                        phi_417_ = 0f;
+                    }
+                    let _e280 = phi_417_;
+                    if (_e264 < 8388608f) {
+                        phi_422_ = (_e277 - _e280);
+                        phi_423_ = false;
+                    } else {
+                        phi_422_ = f32();
+                        phi_423_ = true;
+                    }
+                    let _e283 = phi_422_;
+                    let _e285 = phi_423_;
+                    phi_424_ = _e283;
+                    phi_425_ = _e285;
+                } else {
+                    phi_424_ = f32();
+                    phi_425_ = true;
+                }
+                let _e287 = phi_424_;
+                let _e289 = phi_425_;
+                if _e289 {
+                    phi_429_ = _e264;
+                } else {
+                    phi_429_ = _e287;
+                }
+                let _e291 = phi_429_;
+                if (_e265 > -8388608f) {
+                    let _e303 = f32(select(0i, select(select(i32(_e265), i32(-2147483648), (_e265 < bitcast<f32>(3472883712u))), 2147483647i, (_e265 > bitcast<f32>(1325400063u))), (_e265 == _e265)));
+                    if (_e303 > _e265) {
+                        phi_449_ = 1f;
+                    } else {
+                        phi_449_ = 0f;
+                    }
+                    let _e306 = phi_449_;
+                    if (_e265 < 8388608f) {
+                        phi_454_ = (_e303 - _e306);
+                        phi_455_ = false;
+                    } else {
+                        phi_454_ = f32();
+                        phi_455_ = true;
+                    }
+                    let _e309 = phi_454_;
+                    let _e311 = phi_455_;
+                    phi_456_ = _e309;
+                    phi_457_ = _e311;
+                } else {
+                    phi_456_ = f32();
+                    phi_457_ = true;
+                }
+                let _e313 = phi_456_;
+                let _e315 = phi_457_;
+                if _e315 {
+                    phi_461_ = _e265;
+                } else {
+                    phi_461_ = _e313;
+                }
+                let _e317 = phi_461_;
+                let _e318 = (_e264 - _e291);
+                let _e319 = (_e265 - _e317);
+                let _e328 = select(0i, select(select(i32(_e291), i32(-2147483648), (_e291 < bitcast<f32>(3472883712u))), 2147483647i, (_e291 > bitcast<f32>(1325400063u))), (_e291 == _e291));
+                let _e337 = select(0i, select(select(i32(_e317), i32(-2147483648), (_e317 < bitcast<f32>(3472883712u))), 2147483647i, (_e317 > bitcast<f32>(1325400063u))), (_e317 == _e317));
+                let _e348 = p.member.test;
+                let _e349 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e348);
+                let _e351 = p.member.map_size;
+                local = _e349;
+                let _e353 = (bitcast<i32>(_e351) - 1i);
+                if (_e328 > 0i) {
+                    phi_507_ = _e328;
+                } else {
+                    phi_507_ = 0i;
+                }
+                let _e356 = phi_507_;
+                if (_e337 > 0i) {
+                    phi_512_ = _e337;
+                } else {
+                    phi_512_ = 0i;
+                }
+                let _e359 = phi_512_;
+                if (_e356 < _e353) {
+                    phi_517_ = _e356;
+                } else {
+                    phi_517_ = _e353;
+                }
+                let _e362 = phi_517_;
+                if (_e359 < _e353) {
+                    phi_522_ = _e359;
+                } else {
+                    phi_522_ = _e353;
+                }
+                let _e365 = phi_522_;
+                let _e366 = bitcast<u32>(_e362);
+                let _e368 = (_e328 + 1i);
+                let _e369 = (_e337 + 1i);
+                if (_e368 > 0i) {
+                    phi_531_ = _e368;
+                } else {
+                    phi_531_ = 0i;
+                }
+                let _e372 = phi_531_;
+                if (_e369 > 0i) {
+                    phi_536_ = _e369;
+                } else {
+                    phi_536_ = 0i;
+                }
+                let _e375 = phi_536_;
+                if (_e372 < _e353) {
+                    phi_541_ = _e372;
+                } else {
+                    phi_541_ = _e353;
+                }
+                let _e378 = phi_541_;
+                if (_e375 < _e353) {
+                    phi_546_ = _e375;
+                } else {
+                    phi_546_ = _e353;
+                }
+                let _e381 = phi_546_;
+                let _e382 = bitcast<u32>(_e378);
+                let _e384 = (bitcast<u32>(_e365) * _e351);
+                let _e385 = (bitcast<u32>(_e381) * _e351);
+                let _e386 = (_e384 + _e366);
+                let _e387 = (_e384 + _e382);
+                let _e388 = (_e385 + _e366);
+                let _e389 = (_e385 + _e382);
+                if (_e386 < _e41) {
                 } else {
                     return;
                 }
-                let _e302 = map.member[(0u + _e297[0])];
-                if (_e297[1] < _e39) {
+                let _e393 = map.member[(0u + _e386)];
+                if (_e387 < _e41) {
                 } else {
                     return;
                 }
-                let _e307 = map.member[(0u + _e297[1])];
-                if (_e297[2] < _e39) {
+                let _e397 = map.member[(0u + _e387)];
+                if (_e388 < _e41) {
                 } else {
                     return;
                 }
-                let _e312 = map.member[(0u + _e297[2])];
-                if (_e297[3] < _e39) {
+                let _e401 = map.member[(0u + _e388)];
+                if (_e389 < _e41) {
                 } else {
                     return;
                 }
-                let _e317 = map.member[(0u + _e297[3])];
-                let _e319 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e302, _e307, _e312, _e317), vec4<f32>(((1f - _e263) * (1f - _e264)), (_e263 * (1f - _e264)), ((1f - _e263) * _e264), (_e263 * _e264)), _e220);
-                phi_549_ = evaluate_Verdict(_e319, false);
-                phi_550_ = evaluate_Verdict();
-                phi_551_ = false;
+                let _e405 = map.member[(0u + _e389)];
+                let _e407 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e393, _e397, _e401, _e405), vec4<f32>(((1f - _e318) * (1f - _e319)), (_e318 * (1f - _e319)), ((1f - _e318) * _e319), (_e318 * _e319)), _e231);
+                phi_587_ = evaluate_Verdict(_e407, false);
+                phi_588_ = evaluate_Verdict();
+                phi_589_ = false;
             } else {
-                phi_549_ = evaluate_Verdict();
-                phi_550_ = evaluate_Verdict(1f, false);
-                phi_551_ = true;
+                phi_587_ = evaluate_Verdict();
+                phi_588_ = evaluate_Verdict(1f, false);
+                phi_589_ = true;
             }
-            let _e323 = phi_549_;
-            let _e325 = phi_550_;
-            let _e327 = phi_551_;
-            phi_552_ = _e325;
-            phi_553_ = _e323;
-            phi_554_ = _e327;
+            let _e411 = phi_587_;
+            let _e413 = phi_588_;
+            let _e415 = phi_589_;
+            phi_590_ = _e413;
+            phi_591_ = _e411;
+            phi_592_ = _e415;
         }
-        let _e329 = phi_552_;
-        let _e331 = phi_553_;
-        let _e333 = phi_554_;
-        if _e333 {
-            phi_558_ = _e329;
+        let _e417 = phi_590_;
+        let _e419 = phi_591_;
+        let _e421 = phi_592_;
+        if _e421 {
+            phi_596_ = _e417;
         } else {
-            phi_558_ = _e331;
+            phi_596_ = _e419;
         }
-        let _e335 = phi_558_;
-        if (_e48.first_primitive < arrayLength((&visibility.member))) {
+        let _e423 = phi_596_;
+        if (_e50.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e48.first_primitive)] = _e335.visibility;
+        visibility.member[(0u + _e50.first_primitive)] = _e423.visibility;
     }
     return;
 }

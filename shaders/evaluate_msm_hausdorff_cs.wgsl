@@ -14,11 +14,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_20 {
+struct type_17 {
     member: array<abi_Sample>,
 }
 
-struct type_24 {
+struct type_21 {
     member: array<f32>,
 }
 
@@ -40,7 +40,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_32 {
+struct type_29 {
     member: abi_ShadowParams,
 }
 
@@ -63,47 +63,47 @@ struct hankel_HankelFactors {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_20;
+var<storage> samples: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_29;
 @group(0) @binding(2) 
-var<storage> map: type_24;
+var<storage> map: type_21;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_24;
+var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_141_: lt_bvh_traverse_Tree;
+    var phi_142_: bool;
     var phi_143_: lt_bvh_traverse_Tree;
     var phi_144_: bool;
-    var phi_145_: lt_bvh_traverse_Tree;
-    var phi_146_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_149_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_144_ = false;
+            phi_141_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_142_ = false;
         } else {
-            phi_143_ = lt_bvh_traverse_Tree();
-            phi_144_ = true;
+            phi_141_ = lt_bvh_traverse_Tree();
+            phi_142_ = true;
         }
-        let _e45 = phi_143_;
-        let _e47 = phi_144_;
-        phi_145_ = _e45;
-        phi_146_ = _e47;
+        let _e48 = phi_141_;
+        let _e50 = phi_142_;
+        phi_143_ = _e48;
+        phi_144_ = _e50;
     } else {
-        phi_145_ = lt_bvh_traverse_Tree();
-        phi_146_ = true;
+        phi_143_ = lt_bvh_traverse_Tree();
+        phi_144_ = true;
     }
-    let _e49 = phi_145_;
-    let _e51 = phi_146_;
-    if _e51 {
-        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e52 = phi_143_;
+    let _e54 = phi_144_;
+    if _e54 {
+        phi_149_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_151_ = _e49;
+        phi_149_ = _e52;
     }
-    let _e56 = phi_151_;
-    return lt_bvh_traverse_Tree(_e56.root, _e56.first_primitive);
+    let _e59 = phi_149_;
+    return lt_bvh_traverse_Tree(_e59.root, _e59.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -111,884 +111,1136 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: f32) -> vec4<f32> {
+    var phi_172_: f32;
+    var phi_173_: f32;
     var phi_174_: f32;
-    var phi_175_: f32;
-    var phi_176_: f32;
 
     if ((bitcast<u32>(param_4) & 2147483647u) > 2139095040u) {
-        phi_176_ = param_4;
+        phi_174_ = param_4;
     } else {
         if (param_4 < 0f) {
-            phi_175_ = 0f;
+            phi_173_ = 0f;
         } else {
             if (param_4 > 1f) {
-                phi_174_ = 1f;
+                phi_172_ = 1f;
             } else {
-                phi_174_ = param_4;
+                phi_172_ = param_4;
             }
-            let _e39 = phi_174_;
-            phi_175_ = _e39;
+            let _e42 = phi_172_;
+            phi_173_ = _e42;
         }
-        let _e41 = phi_175_;
-        phi_176_ = _e41;
+        let _e44 = phi_173_;
+        phi_174_ = _e44;
     }
-    let _e43 = phi_176_;
-    let _e44 = (_e43 * _e43);
-    return vec4<f32>(_e43, _e44, (_e44 * _e43), (_e44 * _e44));
+    let _e46 = phi_174_;
+    let _e47 = (_e46 * _e46);
+    return vec4<f32>(_e46, _e47, (_e47 * _e46), (_e47 * _e47));
 }
 
-fn lt_shaders_evaluate_to_light(param_5: vec3<f32>, param_6: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_6.x - (param_5.x * param_6.w)), (param_6.y - (param_5.y * param_6.w)), (param_6.z - (param_5.z * param_6.w)));
+fn lt_math_hausdorff_cubic_mass(param_5: vec4<f32>, param_6: f32, param_7: f32, param_8: f32, param_9: f32) -> f32 {
+    return ((((param_5.z - (((param_7 + param_8) + param_9) * param_5.y)) + ((((param_7 * param_8) + (param_7 * param_9)) + (param_8 * param_9)) * param_5.x)) - ((param_7 * param_8) * param_9)) / (((param_6 - param_7) * (param_6 - param_8)) * (param_6 - param_9)));
 }
 
-fn lt_shaders_evaluate_quad_indices(param_7: i32, param_8: i32, param_9: u32) -> array<u32, 4> {
-    var phi_208_: i32;
-    var phi_213_: i32;
-    var phi_218_: i32;
-    var phi_223_: i32;
-    var phi_232_: i32;
-    var phi_237_: i32;
-    var phi_242_: i32;
-    var phi_247_: i32;
+fn lt_math_hausdorff_endpoint_upper_bound(param_10: ptr<function, hankel_HankelFactors>, param_11: f32) -> f32 {
+    var phi_1448_: f32;
+    var phi_1449_: f32;
+    var phi_1450_: f32;
+    var phi_1477_: f32;
+    var phi_1478_: f32;
+    var phi_1479_: f32;
+    var phi_1480_: f32;
+    var phi_1481_: bool;
+    var phi_1482_: f32;
+    var phi_1483_: bool;
+    var phi_1511_: f32;
+    var phi_1512_: f32;
+    var phi_1513_: f32;
+    var phi_1514_: f32;
+    var phi_1515_: bool;
+    var phi_1516_: f32;
+    var phi_1517_: bool;
+    var phi_1524_: f32;
+    var phi_1525_: f32;
+    var phi_1526_: f32;
+    var phi_1527_: f32;
 
-    let _e36 = (bitcast<i32>(param_9) - 1i);
-    if (param_7 > 0i) {
-        phi_208_ = param_7;
+    let _e38 = (*param_10).moments;
+    if (param_11 < 0.0001f) {
+        phi_1527_ = 1f;
     } else {
-        phi_208_ = 0i;
-    }
-    let _e39 = phi_208_;
-    if (param_8 > 0i) {
-        phi_213_ = param_8;
-    } else {
-        phi_213_ = 0i;
-    }
-    let _e42 = phi_213_;
-    if (_e39 < _e36) {
-        phi_218_ = _e39;
-    } else {
-        phi_218_ = _e36;
-    }
-    let _e45 = phi_218_;
-    if (_e42 < _e36) {
-        phi_223_ = _e42;
-    } else {
-        phi_223_ = _e36;
-    }
-    let _e48 = phi_223_;
-    let _e49 = bitcast<u32>(_e45);
-    let _e51 = (param_7 + 1i);
-    let _e52 = (param_8 + 1i);
-    if (_e51 > 0i) {
-        phi_232_ = _e51;
-    } else {
-        phi_232_ = 0i;
-    }
-    let _e55 = phi_232_;
-    if (_e52 > 0i) {
-        phi_237_ = _e52;
-    } else {
-        phi_237_ = 0i;
-    }
-    let _e58 = phi_237_;
-    if (_e55 < _e36) {
-        phi_242_ = _e55;
-    } else {
-        phi_242_ = _e36;
-    }
-    let _e61 = phi_242_;
-    if (_e58 < _e36) {
-        phi_247_ = _e58;
-    } else {
-        phi_247_ = _e36;
-    }
-    let _e64 = phi_247_;
-    let _e65 = bitcast<u32>(_e61);
-    let _e67 = (bitcast<u32>(_e48) * param_9);
-    let _e68 = (bitcast<u32>(_e64) * param_9);
-    return array<u32, 4>((_e67 + _e49), (_e67 + _e65), (_e68 + _e49), (_e68 + _e65));
-}
-
-fn lt_math_hausdorff_cubic_mass(param_10: vec4<f32>, param_11: f32, param_12: f32, param_13: f32, param_14: f32) -> f32 {
-    return ((((param_10.z - (((param_12 + param_13) + param_14) * param_10.y)) + ((((param_12 * param_13) + (param_12 * param_14)) + (param_13 * param_14)) * param_10.x)) - ((param_12 * param_13) * param_14)) / (((param_11 - param_12) * (param_11 - param_13)) * (param_11 - param_14)));
-}
-
-fn lt_math_hausdorff_endpoint_upper_bound(param_15: ptr<function, hankel_HankelFactors>, param_16: f32) -> f32 {
-    var phi_1185_: f32;
-    var phi_1186_: f32;
-    var phi_1187_: f32;
-    var phi_1214_: f32;
-    var phi_1215_: f32;
-    var phi_1216_: f32;
-    var phi_1217_: f32;
-    var phi_1218_: bool;
-    var phi_1219_: f32;
-    var phi_1220_: bool;
-    var phi_1248_: f32;
-    var phi_1249_: f32;
-    var phi_1250_: f32;
-    var phi_1251_: f32;
-    var phi_1252_: bool;
-    var phi_1253_: f32;
-    var phi_1254_: bool;
-    var phi_1261_: f32;
-    var phi_1262_: f32;
-    var phi_1263_: f32;
-    var phi_1264_: f32;
-
-    let _e35 = (*param_15).moments;
-    if (param_16 <= 0f) {
-        phi_1264_ = 1f;
-    } else {
-        let _e44 = ((_e35.z - ((1f + param_16) * _e35.y)) + (param_16 * _e35.x));
-        let _e53 = (((_e35.w - ((1f + param_16) * _e35.z)) + (param_16 * _e35.y)) / _e44);
-        if (abs(_e44) <= 0.00000047683716f) {
-            let _e67 = (1f - (((_e35.y - (_e35.x * (param_16 + 1f))) + (param_16 * 1f)) / ((0f - param_16) * (0f - 1f))));
-            if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-                phi_1187_ = _e67;
+        let _e47 = ((_e38.z - ((1f + param_11) * _e38.y)) + (param_11 * _e38.x));
+        let _e56 = (((_e38.w - ((1f + param_11) * _e38.z)) + (param_11 * _e38.y)) / _e47);
+        if (abs(_e47) <= 0.00000047683716f) {
+            let _e70 = (1f - (((_e38.y - (_e38.x * (param_11 + 1f))) + (param_11 * 1f)) / ((0f - param_11) * (0f - 1f))));
+            if ((bitcast<u32>(_e70) & 2147483647u) > 2139095040u) {
+                phi_1450_ = _e70;
             } else {
-                if (_e67 < 0f) {
-                    phi_1186_ = 0f;
+                if (_e70 < 0f) {
+                    phi_1449_ = 0f;
                 } else {
-                    if (_e67 > 1f) {
-                        phi_1185_ = 1f;
+                    if (_e70 > 1f) {
+                        phi_1448_ = 1f;
                     } else {
-                        phi_1185_ = _e67;
+                        phi_1448_ = _e70;
                     }
-                    let _e74 = phi_1185_;
-                    phi_1186_ = _e74;
+                    let _e77 = phi_1448_;
+                    phi_1449_ = _e77;
                 }
-                let _e76 = phi_1186_;
-                phi_1187_ = _e76;
+                let _e79 = phi_1449_;
+                phi_1450_ = _e79;
             }
-            let _e78 = phi_1187_;
-            phi_1263_ = _e78;
+            let _e81 = phi_1450_;
+            phi_1526_ = _e81;
         } else {
-            if (_e53 > 0f) {
-                if (_e53 < param_16) {
-                    let _e81 = lt_math_hausdorff_cubic_mass(_e35, 0f, _e53, param_16, 1f);
-                    let _e83 = lt_math_hausdorff_cubic_mass(_e35, _e53, 0f, param_16, 1f);
-                    let _e84 = ((1f - _e81) - _e83);
-                    if ((bitcast<u32>(_e84) & 2147483647u) > 2139095040u) {
-                        phi_1216_ = _e84;
+            if (_e56 > 0f) {
+                if (_e56 < param_11) {
+                    let _e84 = lt_math_hausdorff_cubic_mass(_e38, 0f, _e56, param_11, 1f);
+                    let _e86 = lt_math_hausdorff_cubic_mass(_e38, _e56, 0f, param_11, 1f);
+                    let _e87 = ((1f - _e84) - _e86);
+                    if ((bitcast<u32>(_e87) & 2147483647u) > 2139095040u) {
+                        phi_1479_ = _e87;
                     } else {
-                        if (_e84 < 0f) {
-                            phi_1215_ = 0f;
+                        if (_e87 < 0f) {
+                            phi_1478_ = 0f;
                         } else {
-                            if (_e84 > 1f) {
-                                phi_1214_ = 1f;
+                            if (_e87 > 1f) {
+                                phi_1477_ = 1f;
                             } else {
-                                phi_1214_ = _e84;
+                                phi_1477_ = _e87;
                             }
-                            let _e91 = phi_1214_;
-                            phi_1215_ = _e91;
+                            let _e94 = phi_1477_;
+                            phi_1478_ = _e94;
                         }
-                        let _e93 = phi_1215_;
-                        phi_1216_ = _e93;
+                        let _e96 = phi_1478_;
+                        phi_1479_ = _e96;
                     }
-                    let _e95 = phi_1216_;
-                    phi_1217_ = _e95;
-                    phi_1218_ = false;
+                    let _e98 = phi_1479_;
+                    phi_1480_ = _e98;
+                    phi_1481_ = false;
                 } else {
-                    phi_1217_ = f32();
-                    phi_1218_ = true;
+                    phi_1480_ = f32();
+                    phi_1481_ = true;
                 }
-                let _e97 = phi_1217_;
-                let _e99 = phi_1218_;
-                phi_1219_ = _e97;
-                phi_1220_ = _e99;
+                let _e100 = phi_1480_;
+                let _e102 = phi_1481_;
+                phi_1482_ = _e100;
+                phi_1483_ = _e102;
             } else {
-                phi_1219_ = f32();
-                phi_1220_ = true;
+                phi_1482_ = f32();
+                phi_1483_ = true;
             }
-            let _e101 = phi_1219_;
-            let _e103 = phi_1220_;
-            if _e103 {
-                if (_e53 > param_16) {
-                    if (_e53 < 1f) {
-                        let _e106 = lt_math_hausdorff_cubic_mass(_e35, 0f, _e53, param_16, 1f);
-                        let _e107 = (1f - _e106);
-                        if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
-                            phi_1250_ = _e107;
+            let _e104 = phi_1482_;
+            let _e106 = phi_1483_;
+            if _e106 {
+                if (_e56 > param_11) {
+                    if (_e56 < 1f) {
+                        let _e109 = lt_math_hausdorff_cubic_mass(_e38, 0f, _e56, param_11, 1f);
+                        let _e110 = (1f - _e109);
+                        if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
+                            phi_1513_ = _e110;
                         } else {
-                            if (_e107 < 0f) {
-                                phi_1249_ = 0f;
+                            if (_e110 < 0f) {
+                                phi_1512_ = 0f;
                             } else {
-                                if (_e107 > 1f) {
-                                    phi_1248_ = 1f;
+                                if (_e110 > 1f) {
+                                    phi_1511_ = 1f;
                                 } else {
-                                    phi_1248_ = _e107;
+                                    phi_1511_ = _e110;
                                 }
-                                let _e114 = phi_1248_;
-                                phi_1249_ = _e114;
+                                let _e117 = phi_1511_;
+                                phi_1512_ = _e117;
                             }
-                            let _e116 = phi_1249_;
-                            phi_1250_ = _e116;
+                            let _e119 = phi_1512_;
+                            phi_1513_ = _e119;
                         }
-                        let _e118 = phi_1250_;
-                        phi_1251_ = _e118;
-                        phi_1252_ = false;
+                        let _e121 = phi_1513_;
+                        phi_1514_ = _e121;
+                        phi_1515_ = false;
                     } else {
-                        phi_1251_ = f32();
-                        phi_1252_ = true;
+                        phi_1514_ = f32();
+                        phi_1515_ = true;
                     }
-                    let _e120 = phi_1251_;
-                    let _e122 = phi_1252_;
-                    phi_1253_ = _e120;
-                    phi_1254_ = _e122;
+                    let _e123 = phi_1514_;
+                    let _e125 = phi_1515_;
+                    phi_1516_ = _e123;
+                    phi_1517_ = _e125;
                 } else {
-                    phi_1253_ = f32();
-                    phi_1254_ = true;
+                    phi_1516_ = f32();
+                    phi_1517_ = true;
                 }
-                let _e124 = phi_1253_;
-                let _e126 = phi_1254_;
-                if _e126 {
-                    phi_1261_ = bitcast<f32>((bitcast<u32>(_e53) | 2143289344u));
+                let _e127 = phi_1516_;
+                let _e129 = phi_1517_;
+                if _e129 {
+                    phi_1524_ = bitcast<f32>((bitcast<u32>(_e56) | 2143289344u));
                 } else {
-                    phi_1261_ = _e124;
+                    phi_1524_ = _e127;
                 }
-                let _e131 = phi_1261_;
-                phi_1262_ = _e131;
+                let _e134 = phi_1524_;
+                phi_1525_ = _e134;
             } else {
-                phi_1262_ = _e101;
+                phi_1525_ = _e104;
             }
-            let _e133 = phi_1262_;
-            phi_1263_ = _e133;
+            let _e136 = phi_1525_;
+            phi_1526_ = _e136;
         }
-        let _e135 = phi_1263_;
-        phi_1264_ = _e135;
+        let _e138 = phi_1526_;
+        phi_1527_ = _e138;
     }
-    let _e137 = phi_1264_;
-    return _e137;
+    let _e140 = phi_1527_;
+    return _e140;
 }
 
-fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_17: ptr<function, f32>, param_18: vec4<f32>, param_19: f32) -> f32 {
+fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_12: ptr<function, f32>, param_13: vec4<f32>, param_14: f32) -> f32 {
     var local: hankel_HankelFactors;
-    var phi_689_: f32;
-    var phi_690_: f32;
-    var phi_691_: f32;
+    var phi_728_: f32;
     var phi_729_: f32;
     var phi_730_: f32;
-    var phi_731_: f32;
-    var phi_732_: f32;
-    var phi_733_: bool;
-    var phi_734_: f32;
-    var phi_735_: bool;
-    var phi_791_: vec2<f32>;
-    var phi_829_: f32;
-    var phi_830_: f32;
-    var phi_831_: f32;
-    var phi_864_: f32;
-    var phi_865_: f32;
-    var phi_866_: f32;
-    var phi_870_: f32;
-    var phi_871_: f32;
-    var phi_872_: f32;
-    var phi_873_: f32;
-    var phi_926_: vec2<f32>;
-    var phi_966_: f32;
-    var phi_967_: f32;
-    var phi_968_: f32;
-    var phi_969_: f32;
-    var phi_970_: bool;
-    var phi_971_: f32;
-    var phi_972_: bool;
-    var phi_1028_: vec2<f32>;
-    var phi_1066_: f32;
-    var phi_1067_: f32;
-    var phi_1068_: f32;
-    var phi_1101_: f32;
-    var phi_1102_: f32;
-    var phi_1103_: f32;
-    var phi_1107_: f32;
-    var phi_1108_: f32;
-    var phi_1109_: f32;
-    var phi_1110_: f32;
-    var phi_1111_: f32;
-    var phi_1112_: bool;
-    var phi_1113_: f32;
-    var phi_1114_: bool;
-    var phi_1125_: f32;
+    var phi_742_: bool;
+    var phi_757_: bool;
+    var phi_782_: f32;
+    var phi_783_: f32;
+    var phi_784_: f32;
+    var phi_785_: f32;
+    var phi_786_: bool;
+    var phi_787_: f32;
+    var phi_788_: bool;
+    var phi_844_: vec2<f32>;
+    var phi_882_: f32;
+    var phi_883_: f32;
+    var phi_884_: f32;
+    var phi_917_: f32;
+    var phi_918_: f32;
+    var phi_919_: f32;
+    var phi_923_: f32;
+    var phi_924_: f32;
+    var phi_925_: f32;
+    var phi_926_: f32;
+    var phi_979_: vec2<f32>;
+    var phi_1001_: bool;
+    var phi_1026_: f32;
+    var phi_1027_: f32;
+    var phi_1028_: f32;
+    var phi_1029_: f32;
+    var phi_1030_: bool;
+    var phi_1031_: f32;
+    var phi_1032_: bool;
+    var phi_1088_: vec2<f32>;
     var phi_1126_: f32;
     var phi_1127_: f32;
+    var phi_1128_: f32;
+    var phi_1161_: f32;
+    var phi_1162_: f32;
+    var phi_1163_: f32;
+    var phi_1167_: f32;
+    var phi_1168_: f32;
+    var phi_1169_: f32;
+    var phi_1170_: f32;
+    var phi_1171_: f32;
+    var phi_1172_: bool;
+    var phi_1173_: f32;
+    var phi_1174_: bool;
+    var phi_1196_: bool;
+    var phi_1221_: f32;
+    var phi_1222_: f32;
+    var phi_1223_: f32;
+    var phi_1224_: f32;
+    var phi_1225_: bool;
+    var phi_1226_: f32;
+    var phi_1227_: bool;
+    var phi_1283_: vec2<f32>;
+    var phi_1321_: f32;
+    var phi_1322_: f32;
+    var phi_1323_: f32;
+    var phi_1356_: f32;
+    var phi_1357_: f32;
+    var phi_1358_: f32;
+    var phi_1362_: f32;
+    var phi_1363_: f32;
+    var phi_1364_: f32;
+    var phi_1365_: f32;
+    var phi_1382_: bool;
+    var phi_1386_: f32;
+    var phi_1387_: f32;
+    var phi_1388_: f32;
+    var phi_1389_: f32;
+    var phi_1390_: f32;
 
-    let _e36 = (*param_17);
-    let _e37 = (1f - _e36);
-    let _e46 = (0.5f * _e36);
-    let _e47 = ((param_18.x * _e37) + _e46);
-    let _e48 = ((param_18.y * _e37) + _e46);
-    let _e49 = ((param_18.z * _e37) + _e46);
-    let _e50 = ((param_18.w * _e37) + _e46);
-    let _e53 = (_e48 - (_e47 * _e47));
-    let _e55 = (_e49 - (_e47 * _e48));
-    let _e61 = hankel_HankelFactors(vec4<f32>(_e47, _e48, _e49, _e50), _e53, _e55, (((_e50 - (_e48 * _e48)) * _e53) - (_e55 * _e55)));
-    local = hankel_HankelFactors(_e61.moments, _e61.d22_, _e61.l32_d22_, _e61.d33_d22_);
-    if ((bitcast<u32>(param_19) & 2147483647u) > 2139095040u) {
-        phi_691_ = param_19;
+    let _e39 = (*param_12);
+    let _e40 = (1f - _e39);
+    let _e49 = (0.5f * _e39);
+    let _e50 = ((param_13.x * _e40) + _e49);
+    let _e51 = ((param_13.y * _e40) + _e49);
+    let _e52 = ((param_13.z * _e40) + _e49);
+    let _e53 = ((param_13.w * _e40) + _e49);
+    let _e56 = (_e51 - (_e50 * _e50));
+    let _e58 = (_e52 - (_e50 * _e51));
+    let _e64 = hankel_HankelFactors(vec4<f32>(_e50, _e51, _e52, _e53), _e56, _e58, (((_e53 - (_e51 * _e51)) * _e56) - (_e58 * _e58)));
+    local = hankel_HankelFactors(_e64.moments, _e64.d22_, _e64.l32_d22_, _e64.d33_d22_);
+    if ((bitcast<u32>(param_14) & 2147483647u) > 2139095040u) {
+        phi_730_ = param_14;
     } else {
-        if (param_19 < 0f) {
-            phi_690_ = 0f;
+        if (param_14 < 0f) {
+            phi_729_ = 0f;
         } else {
-            if (param_19 > 1f) {
-                phi_689_ = 1f;
+            if (param_14 > 1f) {
+                phi_728_ = 1f;
             } else {
-                phi_689_ = param_19;
+                phi_728_ = param_14;
             }
-            let _e73 = phi_689_;
-            phi_690_ = _e73;
+            let _e76 = phi_728_;
+            phi_729_ = _e76;
         }
-        let _e75 = phi_690_;
-        phi_691_ = _e75;
+        let _e78 = phi_729_;
+        phi_730_ = _e78;
     }
-    let _e77 = phi_691_;
-    let _e80 = local.moments[0u];
-    let _e83 = local.moments[3u];
-    if (_e80 == _e83) {
-        let _e87 = local.moments[0u];
-        let _e90 = local.moments[3u];
-        if (_e87 == _e90) {
-            if (_e77 > 0f) {
-                let _e94 = local.moments;
-                if ((bitcast<u32>(_e94.x) & 2147483647u) > 2139095040u) {
-                    phi_731_ = _e94.x;
-                } else {
-                    if (_e94.x < 0f) {
-                        phi_730_ = 0f;
-                    } else {
-                        if (_e94.x > 1f) {
-                            phi_729_ = 1f;
-                        } else {
-                            phi_729_ = _e94.x;
-                        }
-                        let _e102 = phi_729_;
-                        phi_730_ = _e102;
-                    }
-                    let _e104 = phi_730_;
-                    phi_731_ = _e104;
-                }
-                let _e106 = phi_731_;
-                phi_732_ = _e106;
-                phi_733_ = false;
-            } else {
-                phi_732_ = f32();
-                phi_733_ = true;
-            }
-            let _e108 = phi_732_;
-            let _e110 = phi_733_;
-            phi_734_ = _e108;
-            phi_735_ = _e110;
-        } else {
-            phi_734_ = f32();
-            phi_735_ = true;
-        }
-        let _e112 = phi_734_;
-        let _e114 = phi_735_;
-        if _e114 {
-            let _e117 = local.moments[0u];
-            let _e120 = local.moments[1u];
-            let _e128 = local.l32_d22_;
-            let _e130 = local.d22_;
-            let _e131 = (_e128 / _e130);
-            let _e132 = (_e77 - _e117);
-            let _e138 = local.d22_;
-            let _e141 = local.d33_d22_;
-            let _e142 = (((((_e77 * _e77) - _e120) - (_e131 * _e132)) * _e138) / _e141);
-            let _e144 = local.d22_;
-            let _e147 = ((_e132 / _e144) - (_e131 * _e142));
-            let _e153 = ((0.5f * _e147) / _e142);
-            let _e156 = ((_e153 * _e153) - (((1f - (_e147 * _e117)) - (_e142 * _e120)) / _e142));
-            if (_e156 >= 0f) {
-                let _e158 = sqrt(_e156);
-                phi_791_ = vec2<f32>((-(_e153) - _e158), (-(_e153) + _e158));
-            } else {
-                phi_791_ = vec2(bitcast<f32>((bitcast<u32>(_e156) | 2143289344u)));
-            }
-            let _e169 = phi_791_;
-            if (_e77 <= _e169.x) {
-                phi_872_ = 1f;
-            } else {
-                if (_e77 > _e169.y) {
-                    let _e175 = local.moments;
-                    let _e186 = (((_e175.y - (_e175.x * (_e169.x + _e169.y))) + (_e169.x * _e169.y)) / ((_e77 - _e169.x) * (_e77 - _e169.y)));
-                    if ((bitcast<u32>(_e186) & 2147483647u) > 2139095040u) {
-                        phi_831_ = _e186;
-                    } else {
-                        if (_e186 < 0f) {
-                            phi_830_ = 0f;
-                        } else {
-                            if (_e186 > 1f) {
-                                phi_829_ = 1f;
-                            } else {
-                                phi_829_ = _e186;
-                            }
-                            let _e193 = phi_829_;
-                            phi_830_ = _e193;
-                        }
-                        let _e195 = phi_830_;
-                        phi_831_ = _e195;
-                    }
-                    let _e197 = phi_831_;
-                    phi_871_ = _e197;
-                } else {
-                    if (_e77 > _e169.x) {
-                        let _e200 = local.moments;
-                        let _e212 = (1f - (((_e200.y - (_e200.x * (_e77 + _e169.y))) + (_e77 * _e169.y)) / ((_e169.x - _e77) * (_e169.x - _e169.y))));
-                        if ((bitcast<u32>(_e212) & 2147483647u) > 2139095040u) {
-                            phi_866_ = _e212;
-                        } else {
-                            if (_e212 < 0f) {
-                                phi_865_ = 0f;
-                            } else {
-                                if (_e212 > 1f) {
-                                    phi_864_ = 1f;
-                                } else {
-                                    phi_864_ = _e212;
-                                }
-                                let _e219 = phi_864_;
-                                phi_865_ = _e219;
-                            }
-                            let _e221 = phi_865_;
-                            phi_866_ = _e221;
-                        }
-                        let _e223 = phi_866_;
-                        phi_870_ = _e223;
-                    } else {
-                        phi_870_ = bitcast<f32>((bitcast<u32>(_e169.x) | 2143289344u));
-                    }
-                    let _e228 = phi_870_;
-                    phi_871_ = _e228;
-                }
-                let _e230 = phi_871_;
-                phi_872_ = _e230;
-            }
-            let _e232 = phi_872_;
-            phi_873_ = _e232;
-        } else {
-            phi_873_ = _e112;
-        }
-        let _e234 = phi_873_;
-        phi_1127_ = _e234;
+    let _e80 = phi_730_;
+    let _e83 = local.moments[0u];
+    let _e86 = local.moments[3u];
+    if (_e83 == _e86) {
+        let _e90 = local.moments[0u];
+        phi_742_ = (_e90 > 0.5f);
     } else {
-        let _e237 = local.moments[0u];
-        let _e240 = local.moments[1u];
-        let _e248 = local.l32_d22_;
-        let _e250 = local.d22_;
-        let _e251 = (_e248 / _e250);
-        let _e252 = (_e77 - _e237);
-        let _e258 = local.d22_;
-        let _e261 = local.d33_d22_;
-        let _e262 = (((((_e77 * _e77) - _e240) - (_e251 * _e252)) * _e258) / _e261);
-        let _e264 = local.d22_;
-        let _e267 = ((_e252 / _e264) - (_e251 * _e262));
-        let _e273 = ((0.5f * _e267) / _e262);
-        let _e276 = ((_e273 * _e273) - (((1f - (_e267 * _e237)) - (_e262 * _e240)) / _e262));
-        if (_e276 >= 0f) {
-            let _e278 = sqrt(_e276);
-            phi_926_ = vec2<f32>((-(_e273) - _e278), (-(_e273) + _e278));
+        phi_742_ = false;
+    }
+    let _e93 = phi_742_;
+    if _e93 {
+        let _e96 = local.moments[0u];
+        let _e99 = local.moments[3u];
+        if (_e96 == _e99) {
+            let _e103 = local.moments[0u];
+            phi_757_ = (_e103 > 0.5f);
         } else {
-            phi_926_ = vec2(bitcast<f32>((bitcast<u32>(_e276) | 2143289344u)));
+            phi_757_ = false;
         }
-        let _e289 = phi_926_;
-        if (_e289.x >= 0f) {
-            if (_e289.y <= 1f) {
-                let _e296 = local.moments[0u];
-                let _e299 = local.moments[3u];
-                if (_e296 == _e299) {
-                    if (_e77 > 0f) {
-                        let _e303 = local.moments;
-                        if ((bitcast<u32>(_e303.x) & 2147483647u) > 2139095040u) {
-                            phi_968_ = _e303.x;
-                        } else {
-                            if (_e303.x < 0f) {
-                                phi_967_ = 0f;
-                            } else {
-                                if (_e303.x > 1f) {
-                                    phi_966_ = 1f;
-                                } else {
-                                    phi_966_ = _e303.x;
-                                }
-                                let _e311 = phi_966_;
-                                phi_967_ = _e311;
-                            }
-                            let _e313 = phi_967_;
-                            phi_968_ = _e313;
-                        }
-                        let _e315 = phi_968_;
-                        phi_969_ = _e315;
-                        phi_970_ = false;
-                    } else {
-                        phi_969_ = f32();
-                        phi_970_ = true;
-                    }
-                    let _e317 = phi_969_;
-                    let _e319 = phi_970_;
-                    phi_971_ = _e317;
-                    phi_972_ = _e319;
+        let _e106 = phi_757_;
+        if _e106 {
+            if (_e80 > 0f) {
+                let _e109 = local.moments;
+                if ((bitcast<u32>(_e109.x) & 2147483647u) > 2139095040u) {
+                    phi_784_ = _e109.x;
                 } else {
-                    phi_971_ = f32();
-                    phi_972_ = true;
-                }
-                let _e321 = phi_971_;
-                let _e323 = phi_972_;
-                if _e323 {
-                    let _e326 = local.moments[0u];
-                    let _e329 = local.moments[1u];
-                    let _e337 = local.l32_d22_;
-                    let _e339 = local.d22_;
-                    let _e340 = (_e337 / _e339);
-                    let _e341 = (_e77 - _e326);
-                    let _e347 = local.d22_;
-                    let _e350 = local.d33_d22_;
-                    let _e351 = (((((_e77 * _e77) - _e329) - (_e340 * _e341)) * _e347) / _e350);
-                    let _e353 = local.d22_;
-                    let _e356 = ((_e341 / _e353) - (_e340 * _e351));
-                    let _e362 = ((0.5f * _e356) / _e351);
-                    let _e365 = ((_e362 * _e362) - (((1f - (_e356 * _e326)) - (_e351 * _e329)) / _e351));
-                    if (_e365 >= 0f) {
-                        let _e367 = sqrt(_e365);
-                        phi_1028_ = vec2<f32>((-(_e362) - _e367), (-(_e362) + _e367));
+                    if (_e109.x < 0f) {
+                        phi_783_ = 0f;
                     } else {
-                        phi_1028_ = vec2(bitcast<f32>((bitcast<u32>(_e365) | 2143289344u)));
-                    }
-                    let _e378 = phi_1028_;
-                    if (_e77 <= _e378.x) {
-                        phi_1109_ = 1f;
-                    } else {
-                        if (_e77 > _e378.y) {
-                            let _e384 = local.moments;
-                            let _e395 = (((_e384.y - (_e384.x * (_e378.x + _e378.y))) + (_e378.x * _e378.y)) / ((_e77 - _e378.x) * (_e77 - _e378.y)));
-                            if ((bitcast<u32>(_e395) & 2147483647u) > 2139095040u) {
-                                phi_1068_ = _e395;
-                            } else {
-                                if (_e395 < 0f) {
-                                    phi_1067_ = 0f;
-                                } else {
-                                    if (_e395 > 1f) {
-                                        phi_1066_ = 1f;
-                                    } else {
-                                        phi_1066_ = _e395;
-                                    }
-                                    let _e402 = phi_1066_;
-                                    phi_1067_ = _e402;
-                                }
-                                let _e404 = phi_1067_;
-                                phi_1068_ = _e404;
-                            }
-                            let _e406 = phi_1068_;
-                            phi_1108_ = _e406;
+                        if (_e109.x > 1f) {
+                            phi_782_ = 1f;
                         } else {
-                            if (_e77 > _e378.x) {
-                                let _e409 = local.moments;
-                                let _e421 = (1f - (((_e409.y - (_e409.x * (_e77 + _e378.y))) + (_e77 * _e378.y)) / ((_e378.x - _e77) * (_e378.x - _e378.y))));
-                                if ((bitcast<u32>(_e421) & 2147483647u) > 2139095040u) {
-                                    phi_1103_ = _e421;
+                            phi_782_ = _e109.x;
+                        }
+                        let _e117 = phi_782_;
+                        phi_783_ = _e117;
+                    }
+                    let _e119 = phi_783_;
+                    phi_784_ = _e119;
+                }
+                let _e121 = phi_784_;
+                phi_785_ = _e121;
+                phi_786_ = false;
+            } else {
+                phi_785_ = f32();
+                phi_786_ = true;
+            }
+            let _e123 = phi_785_;
+            let _e125 = phi_786_;
+            phi_787_ = _e123;
+            phi_788_ = _e125;
+        } else {
+            phi_787_ = f32();
+            phi_788_ = true;
+        }
+        let _e127 = phi_787_;
+        let _e129 = phi_788_;
+        if _e129 {
+            let _e132 = local.moments[0u];
+            let _e135 = local.moments[1u];
+            let _e143 = local.l32_d22_;
+            let _e145 = local.d22_;
+            let _e146 = (_e143 / _e145);
+            let _e147 = (_e80 - _e132);
+            let _e153 = local.d22_;
+            let _e156 = local.d33_d22_;
+            let _e157 = (((((_e80 * _e80) - _e135) - (_e146 * _e147)) * _e153) / _e156);
+            let _e159 = local.d22_;
+            let _e162 = ((_e147 / _e159) - (_e146 * _e157));
+            let _e168 = ((0.5f * _e162) / _e157);
+            let _e171 = ((_e168 * _e168) - (((1f - (_e162 * _e132)) - (_e157 * _e135)) / _e157));
+            if (_e171 >= 0f) {
+                let _e173 = sqrt(_e171);
+                phi_844_ = vec2<f32>((-(_e168) - _e173), (-(_e168) + _e173));
+            } else {
+                phi_844_ = vec2(bitcast<f32>((bitcast<u32>(_e171) | 2143289344u)));
+            }
+            let _e184 = phi_844_;
+            if (_e80 <= _e184.x) {
+                phi_925_ = 1f;
+            } else {
+                if (_e80 > _e184.y) {
+                    let _e190 = local.moments;
+                    let _e201 = (((_e190.y - (_e190.x * (_e184.x + _e184.y))) + (_e184.x * _e184.y)) / ((_e80 - _e184.x) * (_e80 - _e184.y)));
+                    if ((bitcast<u32>(_e201) & 2147483647u) > 2139095040u) {
+                        phi_884_ = _e201;
+                    } else {
+                        if (_e201 < 0f) {
+                            phi_883_ = 0f;
+                        } else {
+                            if (_e201 > 1f) {
+                                phi_882_ = 1f;
+                            } else {
+                                phi_882_ = _e201;
+                            }
+                            let _e208 = phi_882_;
+                            phi_883_ = _e208;
+                        }
+                        let _e210 = phi_883_;
+                        phi_884_ = _e210;
+                    }
+                    let _e212 = phi_884_;
+                    phi_924_ = _e212;
+                } else {
+                    if (_e80 > _e184.x) {
+                        let _e215 = local.moments;
+                        let _e227 = (1f - (((_e215.y - (_e215.x * (_e80 + _e184.y))) + (_e80 * _e184.y)) / ((_e184.x - _e80) * (_e184.x - _e184.y))));
+                        if ((bitcast<u32>(_e227) & 2147483647u) > 2139095040u) {
+                            phi_919_ = _e227;
+                        } else {
+                            if (_e227 < 0f) {
+                                phi_918_ = 0f;
+                            } else {
+                                if (_e227 > 1f) {
+                                    phi_917_ = 1f;
                                 } else {
-                                    if (_e421 < 0f) {
-                                        phi_1102_ = 0f;
+                                    phi_917_ = _e227;
+                                }
+                                let _e234 = phi_917_;
+                                phi_918_ = _e234;
+                            }
+                            let _e236 = phi_918_;
+                            phi_919_ = _e236;
+                        }
+                        let _e238 = phi_919_;
+                        phi_923_ = _e238;
+                    } else {
+                        phi_923_ = bitcast<f32>((bitcast<u32>(_e184.x) | 2143289344u));
+                    }
+                    let _e243 = phi_923_;
+                    phi_924_ = _e243;
+                }
+                let _e245 = phi_924_;
+                phi_925_ = _e245;
+            }
+            let _e247 = phi_925_;
+            phi_926_ = _e247;
+        } else {
+            phi_926_ = _e127;
+        }
+        let _e249 = phi_926_;
+        phi_1390_ = _e249;
+    } else {
+        let _e252 = local.moments[0u];
+        let _e255 = local.moments[1u];
+        let _e263 = local.l32_d22_;
+        let _e265 = local.d22_;
+        let _e266 = (_e263 / _e265);
+        let _e267 = (_e80 - _e252);
+        let _e273 = local.d22_;
+        let _e276 = local.d33_d22_;
+        let _e277 = (((((_e80 * _e80) - _e255) - (_e266 * _e267)) * _e273) / _e276);
+        let _e279 = local.d22_;
+        let _e282 = ((_e267 / _e279) - (_e266 * _e277));
+        let _e288 = ((0.5f * _e282) / _e277);
+        let _e291 = ((_e288 * _e288) - (((1f - (_e282 * _e252)) - (_e277 * _e255)) / _e277));
+        if (_e291 >= 0f) {
+            let _e293 = sqrt(_e291);
+            phi_979_ = vec2<f32>((-(_e288) - _e293), (-(_e288) + _e293));
+        } else {
+            phi_979_ = vec2(bitcast<f32>((bitcast<u32>(_e291) | 2143289344u)));
+        }
+        let _e304 = phi_979_;
+        if (_e304.x >= 0f) {
+            if (_e304.y <= 1f) {
+                let _e311 = local.moments[0u];
+                let _e314 = local.moments[3u];
+                if (_e311 == _e314) {
+                    let _e318 = local.moments[0u];
+                    phi_1001_ = (_e318 > 0.5f);
+                } else {
+                    phi_1001_ = false;
+                }
+                let _e321 = phi_1001_;
+                if _e321 {
+                    if (_e80 > 0f) {
+                        let _e324 = local.moments;
+                        if ((bitcast<u32>(_e324.x) & 2147483647u) > 2139095040u) {
+                            phi_1028_ = _e324.x;
+                        } else {
+                            if (_e324.x < 0f) {
+                                phi_1027_ = 0f;
+                            } else {
+                                if (_e324.x > 1f) {
+                                    phi_1026_ = 1f;
+                                } else {
+                                    phi_1026_ = _e324.x;
+                                }
+                                let _e332 = phi_1026_;
+                                phi_1027_ = _e332;
+                            }
+                            let _e334 = phi_1027_;
+                            phi_1028_ = _e334;
+                        }
+                        let _e336 = phi_1028_;
+                        phi_1029_ = _e336;
+                        phi_1030_ = false;
+                    } else {
+                        phi_1029_ = f32();
+                        phi_1030_ = true;
+                    }
+                    let _e338 = phi_1029_;
+                    let _e340 = phi_1030_;
+                    phi_1031_ = _e338;
+                    phi_1032_ = _e340;
+                } else {
+                    phi_1031_ = f32();
+                    phi_1032_ = true;
+                }
+                let _e342 = phi_1031_;
+                let _e344 = phi_1032_;
+                if _e344 {
+                    let _e347 = local.moments[0u];
+                    let _e350 = local.moments[1u];
+                    let _e358 = local.l32_d22_;
+                    let _e360 = local.d22_;
+                    let _e361 = (_e358 / _e360);
+                    let _e362 = (_e80 - _e347);
+                    let _e368 = local.d22_;
+                    let _e371 = local.d33_d22_;
+                    let _e372 = (((((_e80 * _e80) - _e350) - (_e361 * _e362)) * _e368) / _e371);
+                    let _e374 = local.d22_;
+                    let _e377 = ((_e362 / _e374) - (_e361 * _e372));
+                    let _e383 = ((0.5f * _e377) / _e372);
+                    let _e386 = ((_e383 * _e383) - (((1f - (_e377 * _e347)) - (_e372 * _e350)) / _e372));
+                    if (_e386 >= 0f) {
+                        let _e388 = sqrt(_e386);
+                        phi_1088_ = vec2<f32>((-(_e383) - _e388), (-(_e383) + _e388));
+                    } else {
+                        phi_1088_ = vec2(bitcast<f32>((bitcast<u32>(_e386) | 2143289344u)));
+                    }
+                    let _e399 = phi_1088_;
+                    if (_e80 <= _e399.x) {
+                        phi_1169_ = 1f;
+                    } else {
+                        if (_e80 > _e399.y) {
+                            let _e405 = local.moments;
+                            let _e416 = (((_e405.y - (_e405.x * (_e399.x + _e399.y))) + (_e399.x * _e399.y)) / ((_e80 - _e399.x) * (_e80 - _e399.y)));
+                            if ((bitcast<u32>(_e416) & 2147483647u) > 2139095040u) {
+                                phi_1128_ = _e416;
+                            } else {
+                                if (_e416 < 0f) {
+                                    phi_1127_ = 0f;
+                                } else {
+                                    if (_e416 > 1f) {
+                                        phi_1126_ = 1f;
                                     } else {
-                                        if (_e421 > 1f) {
-                                            phi_1101_ = 1f;
+                                        phi_1126_ = _e416;
+                                    }
+                                    let _e423 = phi_1126_;
+                                    phi_1127_ = _e423;
+                                }
+                                let _e425 = phi_1127_;
+                                phi_1128_ = _e425;
+                            }
+                            let _e427 = phi_1128_;
+                            phi_1168_ = _e427;
+                        } else {
+                            if (_e80 > _e399.x) {
+                                let _e430 = local.moments;
+                                let _e442 = (1f - (((_e430.y - (_e430.x * (_e80 + _e399.y))) + (_e80 * _e399.y)) / ((_e399.x - _e80) * (_e399.x - _e399.y))));
+                                if ((bitcast<u32>(_e442) & 2147483647u) > 2139095040u) {
+                                    phi_1163_ = _e442;
+                                } else {
+                                    if (_e442 < 0f) {
+                                        phi_1162_ = 0f;
+                                    } else {
+                                        if (_e442 > 1f) {
+                                            phi_1161_ = 1f;
                                         } else {
-                                            phi_1101_ = _e421;
+                                            phi_1161_ = _e442;
                                         }
-                                        let _e428 = phi_1101_;
-                                        phi_1102_ = _e428;
+                                        let _e449 = phi_1161_;
+                                        phi_1162_ = _e449;
                                     }
-                                    let _e430 = phi_1102_;
-                                    phi_1103_ = _e430;
+                                    let _e451 = phi_1162_;
+                                    phi_1163_ = _e451;
                                 }
-                                let _e432 = phi_1103_;
-                                phi_1107_ = _e432;
+                                let _e453 = phi_1163_;
+                                phi_1167_ = _e453;
                             } else {
-                                phi_1107_ = bitcast<f32>((bitcast<u32>(_e378.x) | 2143289344u));
+                                phi_1167_ = bitcast<f32>((bitcast<u32>(_e399.x) | 2143289344u));
                             }
-                            let _e437 = phi_1107_;
-                            phi_1108_ = _e437;
+                            let _e458 = phi_1167_;
+                            phi_1168_ = _e458;
                         }
-                        let _e439 = phi_1108_;
-                        phi_1109_ = _e439;
+                        let _e460 = phi_1168_;
+                        phi_1169_ = _e460;
                     }
-                    let _e441 = phi_1109_;
-                    phi_1110_ = _e441;
+                    let _e462 = phi_1169_;
+                    phi_1170_ = _e462;
                 } else {
-                    phi_1110_ = _e321;
+                    phi_1170_ = _e342;
                 }
-                let _e443 = phi_1110_;
-                phi_1111_ = _e443;
-                phi_1112_ = false;
+                let _e464 = phi_1170_;
+                phi_1171_ = _e464;
+                phi_1172_ = false;
             } else {
-                phi_1111_ = f32();
-                phi_1112_ = true;
+                phi_1171_ = f32();
+                phi_1172_ = true;
             }
-            let _e445 = phi_1111_;
-            let _e447 = phi_1112_;
-            phi_1113_ = _e445;
-            phi_1114_ = _e447;
+            let _e466 = phi_1171_;
+            let _e468 = phi_1172_;
+            phi_1173_ = _e466;
+            phi_1174_ = _e468;
         } else {
-            phi_1113_ = f32();
-            phi_1114_ = true;
+            phi_1173_ = f32();
+            phi_1174_ = true;
         }
-        let _e449 = phi_1113_;
-        let _e451 = phi_1114_;
-        if _e451 {
-            if ((bitcast<u32>(_e289.x) & 2147483647u) > 2139095040u) {
-                phi_1125_ = _e289.x;
+        let _e470 = phi_1173_;
+        let _e472 = phi_1174_;
+        if _e472 {
+            if ((bitcast<u32>(_e304.x) & 2147483647u) > 2139095040u) {
+                phi_1388_ = _e304.x;
             } else {
-                let _e455 = lt_math_hausdorff_endpoint_upper_bound((&local), _e77);
-                phi_1125_ = _e455;
+                let _e476 = lt_math_hausdorff_endpoint_upper_bound((&local), _e80);
+                let _e479 = local.moments[0u];
+                let _e482 = local.moments[3u];
+                if (_e479 == _e482) {
+                    let _e486 = local.moments[0u];
+                    phi_1196_ = (_e486 > 0.5f);
+                } else {
+                    phi_1196_ = false;
+                }
+                let _e489 = phi_1196_;
+                if _e489 {
+                    if (_e80 > 0f) {
+                        let _e492 = local.moments;
+                        if ((bitcast<u32>(_e492.x) & 2147483647u) > 2139095040u) {
+                            phi_1223_ = _e492.x;
+                        } else {
+                            if (_e492.x < 0f) {
+                                phi_1222_ = 0f;
+                            } else {
+                                if (_e492.x > 1f) {
+                                    phi_1221_ = 1f;
+                                } else {
+                                    phi_1221_ = _e492.x;
+                                }
+                                let _e500 = phi_1221_;
+                                phi_1222_ = _e500;
+                            }
+                            let _e502 = phi_1222_;
+                            phi_1223_ = _e502;
+                        }
+                        let _e504 = phi_1223_;
+                        phi_1224_ = _e504;
+                        phi_1225_ = false;
+                    } else {
+                        phi_1224_ = f32();
+                        phi_1225_ = true;
+                    }
+                    let _e506 = phi_1224_;
+                    let _e508 = phi_1225_;
+                    phi_1226_ = _e506;
+                    phi_1227_ = _e508;
+                } else {
+                    phi_1226_ = f32();
+                    phi_1227_ = true;
+                }
+                let _e510 = phi_1226_;
+                let _e512 = phi_1227_;
+                if _e512 {
+                    let _e515 = local.moments[0u];
+                    let _e518 = local.moments[1u];
+                    let _e526 = local.l32_d22_;
+                    let _e528 = local.d22_;
+                    let _e529 = (_e526 / _e528);
+                    let _e530 = (_e80 - _e515);
+                    let _e536 = local.d22_;
+                    let _e539 = local.d33_d22_;
+                    let _e540 = (((((_e80 * _e80) - _e518) - (_e529 * _e530)) * _e536) / _e539);
+                    let _e542 = local.d22_;
+                    let _e545 = ((_e530 / _e542) - (_e529 * _e540));
+                    let _e551 = ((0.5f * _e545) / _e540);
+                    let _e554 = ((_e551 * _e551) - (((1f - (_e545 * _e515)) - (_e540 * _e518)) / _e540));
+                    if (_e554 >= 0f) {
+                        let _e556 = sqrt(_e554);
+                        phi_1283_ = vec2<f32>((-(_e551) - _e556), (-(_e551) + _e556));
+                    } else {
+                        phi_1283_ = vec2(bitcast<f32>((bitcast<u32>(_e554) | 2143289344u)));
+                    }
+                    let _e567 = phi_1283_;
+                    if (_e80 <= _e567.x) {
+                        phi_1364_ = 1f;
+                    } else {
+                        if (_e80 > _e567.y) {
+                            let _e573 = local.moments;
+                            let _e584 = (((_e573.y - (_e573.x * (_e567.x + _e567.y))) + (_e567.x * _e567.y)) / ((_e80 - _e567.x) * (_e80 - _e567.y)));
+                            if ((bitcast<u32>(_e584) & 2147483647u) > 2139095040u) {
+                                phi_1323_ = _e584;
+                            } else {
+                                if (_e584 < 0f) {
+                                    phi_1322_ = 0f;
+                                } else {
+                                    if (_e584 > 1f) {
+                                        phi_1321_ = 1f;
+                                    } else {
+                                        phi_1321_ = _e584;
+                                    }
+                                    let _e591 = phi_1321_;
+                                    phi_1322_ = _e591;
+                                }
+                                let _e593 = phi_1322_;
+                                phi_1323_ = _e593;
+                            }
+                            let _e595 = phi_1323_;
+                            phi_1363_ = _e595;
+                        } else {
+                            if (_e80 > _e567.x) {
+                                let _e598 = local.moments;
+                                let _e610 = (1f - (((_e598.y - (_e598.x * (_e80 + _e567.y))) + (_e80 * _e567.y)) / ((_e567.x - _e80) * (_e567.x - _e567.y))));
+                                if ((bitcast<u32>(_e610) & 2147483647u) > 2139095040u) {
+                                    phi_1358_ = _e610;
+                                } else {
+                                    if (_e610 < 0f) {
+                                        phi_1357_ = 0f;
+                                    } else {
+                                        if (_e610 > 1f) {
+                                            phi_1356_ = 1f;
+                                        } else {
+                                            phi_1356_ = _e610;
+                                        }
+                                        let _e617 = phi_1356_;
+                                        phi_1357_ = _e617;
+                                    }
+                                    let _e619 = phi_1357_;
+                                    phi_1358_ = _e619;
+                                }
+                                let _e621 = phi_1358_;
+                                phi_1362_ = _e621;
+                            } else {
+                                phi_1362_ = bitcast<f32>((bitcast<u32>(_e567.x) | 2143289344u));
+                            }
+                            let _e626 = phi_1362_;
+                            phi_1363_ = _e626;
+                        }
+                        let _e628 = phi_1363_;
+                        phi_1364_ = _e628;
+                    }
+                    let _e630 = phi_1364_;
+                    phi_1365_ = _e630;
+                } else {
+                    phi_1365_ = _e510;
+                }
+                let _e632 = phi_1365_;
+                if ((bitcast<u32>(_e476) & 2147483647u) > 2139095040u) {
+                    phi_1387_ = _e476;
+                } else {
+                    if ((bitcast<u32>(_e632) & 2147483647u) > 2139095040u) {
+                        phi_1382_ = true;
+                    } else {
+                        let _e639 = (_e632 < _e476);
+                        if _e639 {
+                        }
+                        phi_1382_ = _e639;
+                    }
+                    let _e641 = phi_1382_;
+                    if _e641 {
+                        phi_1386_ = _e632;
+                    } else {
+                        phi_1386_ = _e476;
+                    }
+                    let _e643 = phi_1386_;
+                    phi_1387_ = _e643;
+                }
+                let _e645 = phi_1387_;
+                phi_1388_ = _e645;
             }
-            let _e457 = phi_1125_;
-            phi_1126_ = _e457;
+            let _e647 = phi_1388_;
+            phi_1389_ = _e647;
         } else {
-            phi_1126_ = _e449;
+            phi_1389_ = _e470;
         }
-        let _e459 = phi_1126_;
-        phi_1127_ = _e459;
+        let _e649 = phi_1389_;
+        phi_1390_ = _e649;
     }
-    let _e461 = phi_1127_;
-    return _e461;
+    let _e651 = phi_1390_;
+    return _e651;
 }
 
-fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_20: ptr<function, f32>, param_21: vec4<f32>, param_22: vec4<f32>, param_23: f32) -> f32 {
-    let _e37 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_21.x);
-    let _e39 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_21.y);
-    let _e41 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_21.z);
-    let _e43 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_21.w);
-    let _e93 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_20, vec4<f32>(((((_e37.x * param_22.x) + (_e39.x * param_22.y)) + (_e41.x * param_22.z)) + (_e43.x * param_22.w)), ((((_e37.y * param_22.x) + (_e39.y * param_22.y)) + (_e41.y * param_22.z)) + (_e43.y * param_22.w)), ((((_e37.z * param_22.x) + (_e39.z * param_22.y)) + (_e41.z * param_22.z)) + (_e43.z * param_22.w)), ((((_e37.w * param_22.x) + (_e39.w * param_22.y)) + (_e41.w * param_22.z)) + (_e43.w * param_22.w))), param_23);
-    return _e93;
+fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_15: ptr<function, f32>, param_16: vec4<f32>, param_17: vec4<f32>, param_18: f32) -> f32 {
+    let _e40 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_16.x);
+    let _e42 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_16.y);
+    let _e44 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_16.z);
+    let _e46 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_16.w);
+    let _e96 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_15, vec4<f32>(((((_e40.x * param_17.x) + (_e42.x * param_17.y)) + (_e44.x * param_17.z)) + (_e46.x * param_17.w)), ((((_e40.y * param_17.x) + (_e42.y * param_17.y)) + (_e44.y * param_17.z)) + (_e46.y * param_17.w)), ((((_e40.z * param_17.x) + (_e42.z * param_17.y)) + (_e44.z * param_17.z)) + (_e46.z * param_17.w)), ((((_e40.w * param_17.x) + (_e42.w * param_17.y)) + (_e44.w * param_17.z)) + (_e46.w * param_17.w))), param_18);
+    return _e96;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_310_: bool;
-    var phi_311_: bool;
-    var phi_312_: bool;
-    var phi_313_: bool;
-    var phi_317_: bool;
-    var phi_352_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_356_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_449_: bool;
-    var phi_450_: bool;
-    var phi_451_: bool;
-    var phi_452_: bool;
-    var phi_453_: bool;
-    var phi_454_: bool;
-    var phi_455_: bool;
-    var phi_456_: bool;
-    var phi_457_: bool;
-    var phi_458_: bool;
-    var phi_459_: bool;
-    var phi_460_: bool;
-    var phi_464_: bool;
-    var phi_559_: evaluate_Verdict;
-    var phi_560_: evaluate_Verdict;
-    var phi_561_: bool;
-    var phi_562_: evaluate_Verdict;
-    var phi_563_: evaluate_Verdict;
-    var phi_564_: bool;
-    var phi_568_: evaluate_Verdict;
+    var phi_232_: bool;
+    var phi_233_: bool;
+    var phi_234_: bool;
+    var phi_235_: bool;
+    var phi_239_: bool;
+    var phi_283_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_287_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_364_: bool;
+    var phi_373_: bool;
+    var phi_382_: bool;
+    var phi_383_: bool;
+    var phi_384_: bool;
+    var phi_385_: bool;
+    var phi_386_: bool;
+    var phi_387_: bool;
+    var phi_388_: bool;
+    var phi_392_: bool;
+    var phi_428_: f32;
+    var phi_433_: f32;
+    var phi_434_: bool;
+    var phi_435_: f32;
+    var phi_436_: bool;
+    var phi_440_: f32;
+    var phi_460_: f32;
+    var phi_465_: f32;
+    var phi_466_: bool;
+    var phi_467_: f32;
+    var phi_468_: bool;
+    var phi_472_: f32;
+    var phi_518_: i32;
+    var phi_523_: i32;
+    var phi_528_: i32;
+    var phi_533_: i32;
+    var phi_542_: i32;
+    var phi_547_: i32;
+    var phi_552_: i32;
+    var phi_557_: i32;
+    var phi_598_: evaluate_Verdict;
+    var phi_599_: evaluate_Verdict;
+    var phi_600_: bool;
+    var phi_601_: evaluate_Verdict;
+    var phi_602_: evaluate_Verdict;
+    var phi_603_: bool;
+    var phi_607_: evaluate_Verdict;
 
-    let _e33 = id_1;
-    let _e40 = arrayLength((&map.member));
-    let _e46 = p.member.size[0u];
-    let _e48 = p.member.size[1u];
-    let _e49 = lt_shaders_entry_pixel_index(_e33, _e46, _e48);
-    if (bitcast<i32>(_e49.root) != 0i) {
-        if (_e49.first_primitive < arrayLength((&samples.member))) {
+    let _e36 = id_1;
+    let _e43 = arrayLength((&map.member));
+    let _e49 = p.member.size[0u];
+    let _e51 = p.member.size[1u];
+    let _e52 = lt_shaders_entry_pixel_index(_e36, _e49, _e51);
+    if (bitcast<i32>(_e52.root) != 0i) {
+        if (_e52.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e58 = p.member.light;
-        let _e61 = samples.member[(0u + _e49.first_primitive)].normal[0u];
-        let _e63 = global[0u];
-        if (_e61 == _e63) {
-            let _e66 = samples.member[(0u + _e49.first_primitive)].normal[1u];
-            let _e68 = global[1u];
-            if (_e66 == _e68) {
-                let _e71 = samples.member[(0u + _e49.first_primitive)].normal[2u];
-                let _e73 = global[2u];
-                phi_310_ = (_e71 == _e73);
-                phi_311_ = false;
+        let _e61 = p.member.light;
+        let _e64 = samples.member[(0u + _e52.first_primitive)].normal[0u];
+        let _e66 = global[0u];
+        if (_e64 == _e66) {
+            let _e69 = samples.member[(0u + _e52.first_primitive)].normal[1u];
+            let _e71 = global[1u];
+            if (_e69 == _e71) {
+                let _e74 = samples.member[(0u + _e52.first_primitive)].normal[2u];
+                let _e76 = global[2u];
+                phi_232_ = (_e74 == _e76);
+                phi_233_ = false;
             } else {
-                phi_310_ = bool();
-                phi_311_ = true;
+                phi_232_ = bool();
+                phi_233_ = true;
             }
-            let _e76 = phi_310_;
-            let _e78 = phi_311_;
-            phi_312_ = _e76;
-            phi_313_ = _e78;
+            let _e79 = phi_232_;
+            let _e81 = phi_233_;
+            phi_234_ = _e79;
+            phi_235_ = _e81;
         } else {
-            phi_312_ = bool();
-            phi_313_ = true;
+            phi_234_ = bool();
+            phi_235_ = true;
         }
-        let _e80 = phi_312_;
-        let _e82 = phi_313_;
-        if _e82 {
-            phi_317_ = false;
+        let _e83 = phi_234_;
+        let _e85 = phi_235_;
+        if _e85 {
+            phi_239_ = false;
         } else {
-            phi_317_ = _e80;
+            phi_239_ = _e83;
         }
-        let _e84 = phi_317_;
-        if !(_e84) {
-            let _e87 = samples.member[(0u + _e49.first_primitive)].normal;
-            let _e89 = samples.member[(0u + _e49.first_primitive)].position;
-            let _e90 = lt_shaders_evaluate_to_light(_e89, _e58);
-            if ((((_e87.x * _e90.x) + (_e87.y * _e90.y)) + (_e87.z * _e90.z)) > 0f) {
-                let _e104 = samples.member[(0u + _e49.first_primitive)].flags;
-                let _e112 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e118 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e112.unnamed.visibility, false), _e112.unnamed_1);
-                phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e118.unnamed, ((_e104 & 1u) == 0u));
+        let _e87 = phi_239_;
+        if !(_e87) {
+            let _e90 = samples.member[(0u + _e52.first_primitive)].normal;
+            let _e92 = samples.member[(0u + _e52.first_primitive)].position;
+            if ((((_e90.x * (_e61.x - (_e92.x * _e61.w))) + (_e90.y * (_e61.y - (_e92.y * _e61.w)))) + (_e90.z * (_e61.z - (_e92.z * _e61.w)))) > 0f) {
+                let _e116 = samples.member[(0u + _e52.first_primitive)].flags;
+                let _e124 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e130 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e124.unnamed.visibility, false), _e124.unnamed_1);
+                phi_283_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, ((_e116 & 1u) == 0u));
             } else {
-                let _e127 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e127.unnamed.visibility, false), _e127.unnamed_1);
-                phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e133.unnamed, true);
+                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
+                phi_283_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, true);
             }
-            let _e138 = phi_352_;
-            phi_356_ = _e138;
+            let _e150 = phi_283_;
+            phi_287_ = _e150;
         } else {
-            let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e144.unnamed.visibility, false), _e144.unnamed_1);
-            phi_356_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e150.unnamed, true);
+            let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
+            phi_287_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
         }
-        let _e155 = phi_356_;
-        if _e155.unnamed_1 {
-            phi_562_ = evaluate_Verdict(_e155.unnamed.visibility, _e155.unnamed.is_doubted);
-            phi_563_ = evaluate_Verdict();
-            phi_564_ = true;
+        let _e167 = phi_287_;
+        if _e167.unnamed_1 {
+            phi_601_ = evaluate_Verdict(_e167.unnamed.visibility, _e167.unnamed.is_doubted);
+            phi_602_ = evaluate_Verdict();
+            phi_603_ = true;
         } else {
-            let _e163 = samples.member[(0u + _e49.first_primitive)].position;
-            let _e169 = p.member.projection.row_w;
-            let _e180 = ((((_e169.x * _e163.x) + (_e169.y * _e163.y)) + (_e169.z * _e163.z)) + (_e169.w * 1f));
-            let _e182 = p.member.projection.row_x;
-            let _e194 = (((((_e182.x * _e163.x) + (_e182.y * _e163.y)) + (_e182.z * _e163.z)) + (_e182.w * 1f)) / _e180);
-            let _e196 = p.member.projection.row_y;
-            let _e208 = (((((_e196.x * _e163.x) + (_e196.y * _e163.y)) + (_e196.z * _e163.z)) + (_e196.w * 1f)) / _e180);
-            let _e210 = p.member.projection.row_z;
-            let _e221 = ((((_e210.x * _e163.x) + (_e210.y * _e163.y)) + (_e210.z * _e163.z)) + (_e210.w * 1f));
-            if (_e180 > 0f) {
-                if (_e194 >= 0f) {
-                    if (_e194 <= 1f) {
-                        if (_e208 >= 0f) {
-                            if (_e208 <= 1f) {
-                                if (_e221 >= 0f) {
-                                    phi_449_ = (_e221 <= 1f);
-                                    phi_450_ = false;
-                                } else {
-                                    phi_449_ = bool();
-                                    phi_450_ = true;
-                                }
-                                let _e230 = phi_449_;
-                                let _e232 = phi_450_;
-                                phi_451_ = _e230;
-                                phi_452_ = _e232;
-                            } else {
-                                phi_451_ = bool();
-                                phi_452_ = true;
-                            }
-                            let _e234 = phi_451_;
-                            let _e236 = phi_452_;
-                            phi_453_ = _e234;
-                            phi_454_ = _e236;
-                        } else {
-                            phi_453_ = bool();
-                            phi_454_ = true;
-                        }
-                        let _e238 = phi_453_;
-                        let _e240 = phi_454_;
-                        phi_455_ = _e238;
-                        phi_456_ = _e240;
+            let _e175 = samples.member[(0u + _e52.first_primitive)].position;
+            let _e181 = p.member.projection.row_w;
+            let _e192 = ((((_e181.x * _e175.x) + (_e181.y * _e175.y)) + (_e181.z * _e175.z)) + (_e181.w * 1f));
+            let _e194 = p.member.projection.row_x;
+            let _e206 = (((((_e194.x * _e175.x) + (_e194.y * _e175.y)) + (_e194.z * _e175.z)) + (_e194.w * 1f)) / _e192);
+            let _e208 = p.member.projection.row_y;
+            let _e220 = (((((_e208.x * _e175.x) + (_e208.y * _e175.y)) + (_e208.z * _e175.z)) + (_e208.w * 1f)) / _e192);
+            let _e222 = p.member.projection.row_z;
+            let _e233 = ((((_e222.x * _e175.x) + (_e222.y * _e175.y)) + (_e222.z * _e175.z)) + (_e222.w * 1f));
+            if (_e192 > 0f) {
+                if (_e206 >= 0f) {
+                    phi_364_ = (_e206 <= 1f);
+                } else {
+                    phi_364_ = false;
+                }
+                let _e238 = phi_364_;
+                if _e238 {
+                    if (_e220 >= 0f) {
+                        phi_373_ = (_e220 <= 1f);
                     } else {
-                        phi_455_ = bool();
-                        phi_456_ = true;
+                        phi_373_ = false;
                     }
-                    let _e242 = phi_455_;
-                    let _e244 = phi_456_;
-                    phi_457_ = _e242;
-                    phi_458_ = _e244;
+                    let _e242 = phi_373_;
+                    if _e242 {
+                        if (_e233 >= 0f) {
+                            phi_382_ = (_e233 <= 1f);
+                        } else {
+                            phi_382_ = false;
+                        }
+                        let _e246 = phi_382_;
+                        phi_383_ = _e246;
+                        phi_384_ = false;
+                    } else {
+                        phi_383_ = bool();
+                        phi_384_ = true;
+                    }
+                    let _e248 = phi_383_;
+                    let _e250 = phi_384_;
+                    phi_385_ = _e248;
+                    phi_386_ = _e250;
                 } else {
-                    phi_457_ = bool();
-                    phi_458_ = true;
+                    phi_385_ = bool();
+                    phi_386_ = true;
                 }
-                let _e246 = phi_457_;
-                let _e248 = phi_458_;
-                phi_459_ = _e246;
-                phi_460_ = _e248;
+                let _e252 = phi_385_;
+                let _e254 = phi_386_;
+                phi_387_ = _e252;
+                phi_388_ = _e254;
             } else {
-                phi_459_ = bool();
-                phi_460_ = true;
+                phi_387_ = bool();
+                phi_388_ = true;
             }
-            let _e250 = phi_459_;
-            let _e252 = phi_460_;
-            if _e252 {
-                phi_464_ = false;
+            let _e256 = phi_387_;
+            let _e258 = phi_388_;
+            if _e258 {
+                phi_392_ = false;
             } else {
-                phi_464_ = _e250;
+                phi_392_ = _e256;
             }
-            let _e254 = phi_464_;
-            if _e254 {
-                let _e256 = p.member.map_size;
-                let _e257 = f32(_e256);
-                let _e260 = ((_e194 * _e257) - 0.5f);
-                let _e261 = ((_e208 * _e257) - 0.5f);
-                let _e262 = floor(_e260);
-                let _e263 = floor(_e261);
-                let _e264 = (_e260 - _e262);
-                let _e265 = (_e261 - _e263);
-                let _e294 = p.member.test;
-                let _e295 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e294);
-                let _e297 = p.member.map_size;
-                local_1 = _e295;
-                let _e298 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e262), i32(-2147483648), (_e262 < bitcast<f32>(3472883712u))), 2147483647i, (_e262 > bitcast<f32>(1325400063u))), (_e262 == _e262)), select(0i, select(select(i32(_e263), i32(-2147483648), (_e263 < bitcast<f32>(3472883712u))), 2147483647i, (_e263 > bitcast<f32>(1325400063u))), (_e263 == _e263)), _e297);
-                if (_e298[0] < _e40) {
+            let _e260 = phi_392_;
+            if _e260 {
+                let _e262 = p.member.map_size;
+                let _e263 = f32(_e262);
+                let _e266 = ((_e206 * _e263) - 0.5f);
+                let _e267 = ((_e220 * _e263) - 0.5f);
+                if (_e266 > -8388608f) {
+                    let _e279 = f32(select(0i, select(select(i32(_e266), i32(-2147483648), (_e266 < bitcast<f32>(3472883712u))), 2147483647i, (_e266 > bitcast<f32>(1325400063u))), (_e266 == _e266)));
+                    if (_e279 > _e266) {
+                        phi_428_ = 1f;
+                    } else {
+                        phi_428_ = 0f;
+                    }
+                    let _e282 = phi_428_;
+                    if (_e266 < 8388608f) {
+                        phi_433_ = (_e279 - _e282);
+                        phi_434_ = false;
+                    } else {
+                        phi_433_ = f32();
+                        phi_434_ = true;
+                    }
+                    let _e285 = phi_433_;
+                    let _e287 = phi_434_;
+                    phi_435_ = _e285;
+                    phi_436_ = _e287;
+                } else {
+                    phi_435_ = f32();
+                    phi_436_ = true;
+                }
+                let _e289 = phi_435_;
+                let _e291 = phi_436_;
+                if _e291 {
+                    phi_440_ = _e266;
+                } else {
+                    phi_440_ = _e289;
+                }
+                let _e293 = phi_440_;
+                if (_e267 > -8388608f) {
+                    let _e305 = f32(select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)));
+                    if (_e305 > _e267) {
+                        phi_460_ = 1f;
+                    } else {
+                        phi_460_ = 0f;
+                    }
+                    let _e308 = phi_460_;
+                    if (_e267 < 8388608f) {
+                        phi_465_ = (_e305 - _e308);
+                        phi_466_ = false;
+                    } else {
+                        phi_465_ = f32();
+                        phi_466_ = true;
+                    }
+                    let _e311 = phi_465_;
+                    let _e313 = phi_466_;
+                    phi_467_ = _e311;
+                    phi_468_ = _e313;
+                } else {
+                    phi_467_ = f32();
+                    phi_468_ = true;
+                }
+                let _e315 = phi_467_;
+                let _e317 = phi_468_;
+                if _e317 {
+                    phi_472_ = _e267;
+                } else {
+                    phi_472_ = _e315;
+                }
+                let _e319 = phi_472_;
+                let _e320 = (_e266 - _e293);
+                let _e321 = (_e267 - _e319);
+                let _e330 = select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < bitcast<f32>(3472883712u))), 2147483647i, (_e293 > bitcast<f32>(1325400063u))), (_e293 == _e293));
+                let _e339 = select(0i, select(select(i32(_e319), i32(-2147483648), (_e319 < bitcast<f32>(3472883712u))), 2147483647i, (_e319 > bitcast<f32>(1325400063u))), (_e319 == _e319));
+                let _e350 = p.member.test;
+                let _e351 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e350);
+                let _e353 = p.member.map_size;
+                local_1 = _e351;
+                let _e355 = (bitcast<i32>(_e353) - 1i);
+                if (_e330 > 0i) {
+                    phi_518_ = _e330;
+                } else {
+                    phi_518_ = 0i;
+                }
+                let _e358 = phi_518_;
+                if (_e339 > 0i) {
+                    phi_523_ = _e339;
+                } else {
+                    phi_523_ = 0i;
+                }
+                let _e361 = phi_523_;
+                if (_e358 < _e355) {
+                    phi_528_ = _e358;
+                } else {
+                    phi_528_ = _e355;
+                }
+                let _e364 = phi_528_;
+                if (_e361 < _e355) {
+                    phi_533_ = _e361;
+                } else {
+                    phi_533_ = _e355;
+                }
+                let _e367 = phi_533_;
+                let _e368 = bitcast<u32>(_e364);
+                let _e370 = (_e330 + 1i);
+                let _e371 = (_e339 + 1i);
+                if (_e370 > 0i) {
+                    phi_542_ = _e370;
+                } else {
+                    phi_542_ = 0i;
+                }
+                let _e374 = phi_542_;
+                if (_e371 > 0i) {
+                    phi_547_ = _e371;
+                } else {
+                    phi_547_ = 0i;
+                }
+                let _e377 = phi_547_;
+                if (_e374 < _e355) {
+                    phi_552_ = _e374;
+                } else {
+                    phi_552_ = _e355;
+                }
+                let _e380 = phi_552_;
+                if (_e377 < _e355) {
+                    phi_557_ = _e377;
+                } else {
+                    phi_557_ = _e355;
+                }
+                let _e383 = phi_557_;
+                let _e384 = bitcast<u32>(_e380);
+                let _e386 = (bitcast<u32>(_e367) * _e353);
+                let _e387 = (bitcast<u32>(_e383) * _e353);
+                let _e388 = (_e386 + _e368);
+                let _e389 = (_e386 + _e384);
+                let _e390 = (_e387 + _e368);
+                let _e391 = (_e387 + _e384);
+                if (_e388 < _e43) {
                 } else {
                     return;
                 }
-                let _e303 = map.member[(0u + _e298[0])];
-                if (_e298[1] < _e40) {
+                let _e395 = map.member[(0u + _e388)];
+                if (_e389 < _e43) {
                 } else {
                     return;
                 }
-                let _e308 = map.member[(0u + _e298[1])];
-                if (_e298[2] < _e40) {
+                let _e399 = map.member[(0u + _e389)];
+                if (_e390 < _e43) {
                 } else {
                     return;
                 }
-                let _e313 = map.member[(0u + _e298[2])];
-                if (_e298[3] < _e40) {
+                let _e403 = map.member[(0u + _e390)];
+                if (_e391 < _e43) {
                 } else {
                     return;
                 }
-                let _e318 = map.member[(0u + _e298[3])];
-                let _e320 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e303, _e308, _e313, _e318), vec4<f32>(((1f - _e264) * (1f - _e265)), (_e264 * (1f - _e265)), ((1f - _e264) * _e265), (_e264 * _e265)), _e221);
-                phi_559_ = evaluate_Verdict(_e320, false);
-                phi_560_ = evaluate_Verdict();
-                phi_561_ = false;
+                let _e407 = map.member[(0u + _e391)];
+                let _e409 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e395, _e399, _e403, _e407), vec4<f32>(((1f - _e320) * (1f - _e321)), (_e320 * (1f - _e321)), ((1f - _e320) * _e321), (_e320 * _e321)), _e233);
+                phi_598_ = evaluate_Verdict(_e409, false);
+                phi_599_ = evaluate_Verdict();
+                phi_600_ = false;
             } else {
-                phi_559_ = evaluate_Verdict();
-                phi_560_ = evaluate_Verdict(1f, false);
-                phi_561_ = true;
+                phi_598_ = evaluate_Verdict();
+                phi_599_ = evaluate_Verdict(1f, false);
+                phi_600_ = true;
             }
-            let _e324 = phi_559_;
-            let _e326 = phi_560_;
-            let _e328 = phi_561_;
-            phi_562_ = _e326;
-            phi_563_ = _e324;
-            phi_564_ = _e328;
+            let _e413 = phi_598_;
+            let _e415 = phi_599_;
+            let _e417 = phi_600_;
+            phi_601_ = _e415;
+            phi_602_ = _e413;
+            phi_603_ = _e417;
         }
-        let _e330 = phi_562_;
-        let _e332 = phi_563_;
-        let _e334 = phi_564_;
-        if _e334 {
-            phi_568_ = _e330;
+        let _e419 = phi_601_;
+        let _e421 = phi_602_;
+        let _e423 = phi_603_;
+        if _e423 {
+            phi_607_ = _e419;
         } else {
-            phi_568_ = _e332;
+            phi_607_ = _e421;
         }
-        let _e336 = phi_568_;
-        if (_e49.first_primitive < arrayLength((&visibility.member))) {
+        let _e425 = phi_607_;
+        if (_e52.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e49.first_primitive)] = _e336.visibility;
+        visibility.member[(0u + _e52.first_primitive)] = _e425.visibility;
     }
     return;
 }

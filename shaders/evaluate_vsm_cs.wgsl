@@ -14,11 +14,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_19 {
+struct type_17 {
     member: array<abi_Sample>,
 }
 
-struct type_23 {
+struct type_21 {
     member: array<f32>,
 }
 
@@ -40,7 +40,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_30 {
+struct type_29 {
     member: abi_ShadowParams,
 }
 
@@ -56,540 +56,595 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_19;
+var<storage> samples: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_30;
+var<uniform> p: type_29;
 @group(0) @binding(2) 
-var<storage> map: type_23;
+var<storage> map: type_21;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_23;
+var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_124_: lt_bvh_traverse_Tree;
-    var phi_125_: bool;
-    var phi_126_: lt_bvh_traverse_Tree;
-    var phi_127_: bool;
-    var phi_132_: lt_bvh_traverse_Tree;
+    var phi_120_: lt_bvh_traverse_Tree;
+    var phi_121_: bool;
+    var phi_122_: lt_bvh_traverse_Tree;
+    var phi_123_: bool;
+    var phi_128_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_124_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_125_ = false;
+            phi_120_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_121_ = false;
         } else {
-            phi_124_ = lt_bvh_traverse_Tree();
-            phi_125_ = true;
+            phi_120_ = lt_bvh_traverse_Tree();
+            phi_121_ = true;
         }
-        let _e42 = phi_124_;
-        let _e44 = phi_125_;
-        phi_126_ = _e42;
-        phi_127_ = _e44;
+        let _e45 = phi_120_;
+        let _e47 = phi_121_;
+        phi_122_ = _e45;
+        phi_123_ = _e47;
     } else {
-        phi_126_ = lt_bvh_traverse_Tree();
-        phi_127_ = true;
+        phi_122_ = lt_bvh_traverse_Tree();
+        phi_123_ = true;
     }
-    let _e46 = phi_126_;
-    let _e48 = phi_127_;
-    if _e48 {
-        phi_132_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e49 = phi_122_;
+    let _e51 = phi_123_;
+    if _e51 {
+        phi_128_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_132_ = _e46;
+        phi_128_ = _e49;
     }
-    let _e53 = phi_132_;
-    return lt_bvh_traverse_Tree(_e53.root, _e53.first_primitive);
+    let _e56 = phi_128_;
+    return lt_bvh_traverse_Tree(_e56.root, _e56.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn lt_shaders_evaluate_to_light(param_4: vec3<f32>, param_5: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_5.x - (param_4.x * param_5.w)), (param_5.y - (param_4.y * param_5.w)), (param_5.z - (param_4.z * param_5.w)));
-}
-
-fn lt_shaders_evaluate_quad_indices(param_6: i32, param_7: i32, param_8: u32) -> array<u32, 4> {
-    var phi_166_: i32;
-    var phi_171_: i32;
-    var phi_176_: i32;
-    var phi_181_: i32;
-    var phi_190_: i32;
-    var phi_195_: i32;
-    var phi_200_: i32;
-    var phi_205_: i32;
-
-    let _e33 = (bitcast<i32>(param_8) - 1i);
-    if (param_6 > 0i) {
-        phi_166_ = param_6;
-    } else {
-        phi_166_ = 0i;
-    }
-    let _e36 = phi_166_;
-    if (param_7 > 0i) {
-        phi_171_ = param_7;
-    } else {
-        phi_171_ = 0i;
-    }
-    let _e39 = phi_171_;
-    if (_e36 < _e33) {
-        phi_176_ = _e36;
-    } else {
-        phi_176_ = _e33;
-    }
-    let _e42 = phi_176_;
-    if (_e39 < _e33) {
-        phi_181_ = _e39;
-    } else {
-        phi_181_ = _e33;
-    }
-    let _e45 = phi_181_;
-    let _e46 = bitcast<u32>(_e42);
-    let _e48 = (param_6 + 1i);
-    let _e49 = (param_7 + 1i);
-    if (_e48 > 0i) {
-        phi_190_ = _e48;
-    } else {
-        phi_190_ = 0i;
-    }
-    let _e52 = phi_190_;
-    if (_e49 > 0i) {
-        phi_195_ = _e49;
-    } else {
-        phi_195_ = 0i;
-    }
-    let _e55 = phi_195_;
-    if (_e52 < _e33) {
-        phi_200_ = _e52;
-    } else {
-        phi_200_ = _e33;
-    }
-    let _e58 = phi_200_;
-    if (_e55 < _e33) {
-        phi_205_ = _e55;
-    } else {
-        phi_205_ = _e33;
-    }
-    let _e61 = phi_205_;
-    let _e62 = bitcast<u32>(_e58);
-    let _e64 = (bitcast<u32>(_e45) * param_8);
-    let _e65 = (bitcast<u32>(_e61) * param_8);
-    return array<u32, 4>((_e64 + _e46), (_e64 + _e62), (_e65 + _e46), (_e65 + _e62));
-}
-
-fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_9: ptr<function, f32>, param_10: vec4<f32>, param_11: vec4<f32>, param_12: f32) -> f32 {
-    var phi_553_: f32;
-    var phi_554_: f32;
-    var phi_555_: f32;
-    var phi_571_: f32;
-    var phi_572_: f32;
-    var phi_573_: f32;
+fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
     var phi_590_: f32;
     var phi_591_: f32;
     var phi_592_: f32;
+    var phi_608_: f32;
     var phi_609_: f32;
     var phi_610_: f32;
-    var phi_611_: f32;
+    var phi_627_: f32;
     var phi_628_: f32;
     var phi_629_: f32;
-    var phi_630_: f32;
-    var phi_679_: bool;
-    var phi_683_: f32;
-    var phi_684_: f32;
-    var phi_696_: bool;
-    var phi_703_: f32;
-    var phi_718_: f32;
-    var phi_719_: f32;
+    var phi_646_: f32;
+    var phi_647_: f32;
+    var phi_648_: f32;
+    var phi_665_: f32;
+    var phi_666_: f32;
+    var phi_667_: f32;
+    var phi_716_: bool;
     var phi_720_: f32;
+    var phi_721_: f32;
+    var phi_733_: bool;
+    var phi_740_: f32;
+    var phi_755_: f32;
+    var phi_756_: f32;
+    var phi_757_: f32;
 
-    if ((bitcast<u32>(param_12) & 2147483647u) > 2139095040u) {
-        phi_555_ = param_12;
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_592_ = param_7;
     } else {
-        if (param_12 < 0f) {
-            phi_554_ = 0f;
-        } else {
-            if (param_12 > 1f) {
-                phi_553_ = 1f;
-            } else {
-                phi_553_ = param_12;
-            }
-            let _e39 = phi_553_;
-            phi_554_ = _e39;
-        }
-        let _e41 = phi_554_;
-        phi_555_ = _e41;
-    }
-    let _e43 = phi_555_;
-    if ((bitcast<u32>(param_10.x) & 2147483647u) > 2139095040u) {
-        phi_573_ = param_10.x;
-    } else {
-        if (param_10.x < 0f) {
-            phi_572_ = 0f;
-        } else {
-            if (param_10.x > 1f) {
-                phi_571_ = 1f;
-            } else {
-                phi_571_ = param_10.x;
-            }
-            let _e51 = phi_571_;
-            phi_572_ = _e51;
-        }
-        let _e53 = phi_572_;
-        phi_573_ = _e53;
-    }
-    let _e55 = phi_573_;
-    let _e56 = (_e55 - _e43);
-    if ((bitcast<u32>(param_10.y) & 2147483647u) > 2139095040u) {
-        phi_592_ = param_10.y;
-    } else {
-        if (param_10.y < 0f) {
+        if (param_7 < 0f) {
             phi_591_ = 0f;
         } else {
-            if (param_10.y > 1f) {
+            if (param_7 > 1f) {
                 phi_590_ = 1f;
             } else {
-                phi_590_ = param_10.y;
+                phi_590_ = param_7;
             }
-            let _e64 = phi_590_;
-            phi_591_ = _e64;
+            let _e42 = phi_590_;
+            phi_591_ = _e42;
         }
-        let _e66 = phi_591_;
-        phi_592_ = _e66;
+        let _e44 = phi_591_;
+        phi_592_ = _e44;
     }
-    let _e68 = phi_592_;
-    let _e69 = (_e68 - _e43);
-    if ((bitcast<u32>(param_10.z) & 2147483647u) > 2139095040u) {
-        phi_611_ = param_10.z;
+    let _e46 = phi_592_;
+    if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
+        phi_610_ = param_5.x;
     } else {
-        if (param_10.z < 0f) {
-            phi_610_ = 0f;
+        if (param_5.x < 0f) {
+            phi_609_ = 0f;
         } else {
-            if (param_10.z > 1f) {
-                phi_609_ = 1f;
+            if (param_5.x > 1f) {
+                phi_608_ = 1f;
             } else {
-                phi_609_ = param_10.z;
+                phi_608_ = param_5.x;
             }
-            let _e77 = phi_609_;
-            phi_610_ = _e77;
+            let _e54 = phi_608_;
+            phi_609_ = _e54;
         }
-        let _e79 = phi_610_;
-        phi_611_ = _e79;
+        let _e56 = phi_609_;
+        phi_610_ = _e56;
     }
-    let _e81 = phi_611_;
-    let _e82 = (_e81 - _e43);
-    if ((bitcast<u32>(param_10.w) & 2147483647u) > 2139095040u) {
-        phi_630_ = param_10.w;
+    let _e58 = phi_610_;
+    let _e59 = (_e58 - _e46);
+    if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
+        phi_629_ = param_5.y;
     } else {
-        if (param_10.w < 0f) {
-            phi_629_ = 0f;
+        if (param_5.y < 0f) {
+            phi_628_ = 0f;
         } else {
-            if (param_10.w > 1f) {
-                phi_628_ = 1f;
+            if (param_5.y > 1f) {
+                phi_627_ = 1f;
             } else {
-                phi_628_ = param_10.w;
+                phi_627_ = param_5.y;
             }
-            let _e90 = phi_628_;
-            phi_629_ = _e90;
+            let _e67 = phi_627_;
+            phi_628_ = _e67;
         }
-        let _e92 = phi_629_;
-        phi_630_ = _e92;
+        let _e69 = phi_628_;
+        phi_629_ = _e69;
     }
-    let _e94 = phi_630_;
-    let _e95 = (_e94 - _e43);
-    let _e96 = (*param_9);
-    let _e107 = ((((_e56 * param_11.x) + (_e69 * param_11.y)) + (_e82 * param_11.z)) + (_e95 * param_11.w));
-    let _e108 = (_e56 - _e107);
-    let _e109 = (_e69 - _e107);
-    let _e110 = (_e82 - _e107);
-    let _e111 = (_e95 - _e107);
-    let _e126 = (((((_e108 * _e108) * param_11.x) + ((_e109 * _e109) * param_11.y)) + ((_e110 * _e110) * param_11.z)) + ((_e111 * _e111) * param_11.w));
-    if ((bitcast<u32>(_e126) & 2147483647u) > 2139095040u) {
-        phi_684_ = _e126;
+    let _e71 = phi_629_;
+    let _e72 = (_e71 - _e46);
+    if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
+        phi_648_ = param_5.z;
     } else {
-        if ((bitcast<u32>(_e96) & 2147483647u) > 2139095040u) {
-            phi_679_ = true;
+        if (param_5.z < 0f) {
+            phi_647_ = 0f;
         } else {
-            let _e133 = (_e96 > _e126);
-            if _e133 {
-            }
-            phi_679_ = _e133;
-        }
-        let _e135 = phi_679_;
-        if _e135 {
-            phi_683_ = _e96;
-        } else {
-            phi_683_ = _e126;
-        }
-        let _e137 = phi_683_;
-        phi_684_ = _e137;
-    }
-    let _e139 = phi_684_;
-    let _e140 = -(_e107);
-    if (_e140 <= 0f) {
-        let _e144 = ((bitcast<u32>(_e139) & 2147483647u) > 2139095040u);
-        if _e144 {
-        }
-        phi_696_ = _e144;
-    } else {
-        phi_696_ = true;
-    }
-    let _e146 = phi_696_;
-    if _e146 {
-        phi_703_ = (_e139 / (_e139 + (_e140 * _e140)));
-    } else {
-        phi_703_ = 1f;
-    }
-    let _e151 = phi_703_;
-    if ((bitcast<u32>(_e151) & 2147483647u) > 2139095040u) {
-        phi_720_ = _e151;
-    } else {
-        if (_e151 < 0f) {
-            phi_719_ = 0f;
-        } else {
-            if (_e151 > 1f) {
-                phi_718_ = 1f;
+            if (param_5.z > 1f) {
+                phi_646_ = 1f;
             } else {
-                phi_718_ = _e151;
+                phi_646_ = param_5.z;
             }
-            let _e158 = phi_718_;
-            phi_719_ = _e158;
+            let _e80 = phi_646_;
+            phi_647_ = _e80;
         }
-        let _e160 = phi_719_;
-        phi_720_ = _e160;
+        let _e82 = phi_647_;
+        phi_648_ = _e82;
     }
-    let _e162 = phi_720_;
-    return _e162;
+    let _e84 = phi_648_;
+    let _e85 = (_e84 - _e46);
+    if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
+        phi_667_ = param_5.w;
+    } else {
+        if (param_5.w < 0f) {
+            phi_666_ = 0f;
+        } else {
+            if (param_5.w > 1f) {
+                phi_665_ = 1f;
+            } else {
+                phi_665_ = param_5.w;
+            }
+            let _e93 = phi_665_;
+            phi_666_ = _e93;
+        }
+        let _e95 = phi_666_;
+        phi_667_ = _e95;
+    }
+    let _e97 = phi_667_;
+    let _e98 = (_e97 - _e46);
+    let _e99 = (*param_4);
+    let _e110 = ((((_e59 * param_6.x) + (_e72 * param_6.y)) + (_e85 * param_6.z)) + (_e98 * param_6.w));
+    let _e111 = (_e59 - _e110);
+    let _e112 = (_e72 - _e110);
+    let _e113 = (_e85 - _e110);
+    let _e114 = (_e98 - _e110);
+    let _e129 = (((((_e111 * _e111) * param_6.x) + ((_e112 * _e112) * param_6.y)) + ((_e113 * _e113) * param_6.z)) + ((_e114 * _e114) * param_6.w));
+    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
+        phi_721_ = _e129;
+    } else {
+        if ((bitcast<u32>(_e99) & 2147483647u) > 2139095040u) {
+            phi_716_ = true;
+        } else {
+            let _e136 = (_e99 > _e129);
+            if _e136 {
+            }
+            phi_716_ = _e136;
+        }
+        let _e138 = phi_716_;
+        if _e138 {
+            phi_720_ = _e99;
+        } else {
+            phi_720_ = _e129;
+        }
+        let _e140 = phi_720_;
+        phi_721_ = _e140;
+    }
+    let _e142 = phi_721_;
+    let _e143 = -(_e110);
+    if (_e143 <= 0f) {
+        let _e147 = ((bitcast<u32>(_e142) & 2147483647u) > 2139095040u);
+        if _e147 {
+        }
+        phi_733_ = _e147;
+    } else {
+        phi_733_ = true;
+    }
+    let _e149 = phi_733_;
+    if _e149 {
+        phi_740_ = (_e142 / (_e142 + (_e143 * _e143)));
+    } else {
+        phi_740_ = 1f;
+    }
+    let _e154 = phi_740_;
+    if ((bitcast<u32>(_e154) & 2147483647u) > 2139095040u) {
+        phi_757_ = _e154;
+    } else {
+        if (_e154 < 0f) {
+            phi_756_ = 0f;
+        } else {
+            if (_e154 > 1f) {
+                phi_755_ = 1f;
+            } else {
+                phi_755_ = _e154;
+            }
+            let _e161 = phi_755_;
+            phi_756_ = _e161;
+        }
+        let _e163 = phi_756_;
+        phi_757_ = _e163;
+    }
+    let _e165 = phi_757_;
+    return _e165;
 }
 
 fn function_() {
     var local: f32;
-    var phi_268_: bool;
-    var phi_269_: bool;
-    var phi_270_: bool;
-    var phi_271_: bool;
-    var phi_275_: bool;
-    var phi_310_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_314_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_407_: bool;
-    var phi_408_: bool;
-    var phi_409_: bool;
-    var phi_410_: bool;
-    var phi_411_: bool;
-    var phi_412_: bool;
-    var phi_413_: bool;
-    var phi_414_: bool;
-    var phi_415_: bool;
-    var phi_416_: bool;
-    var phi_417_: bool;
-    var phi_418_: bool;
+    var phi_188_: bool;
+    var phi_189_: bool;
+    var phi_190_: bool;
+    var phi_191_: bool;
+    var phi_195_: bool;
+    var phi_239_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_243_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_320_: bool;
+    var phi_329_: bool;
+    var phi_338_: bool;
+    var phi_339_: bool;
+    var phi_340_: bool;
+    var phi_341_: bool;
+    var phi_342_: bool;
+    var phi_343_: bool;
+    var phi_344_: bool;
+    var phi_348_: bool;
+    var phi_384_: f32;
+    var phi_389_: f32;
+    var phi_390_: bool;
+    var phi_391_: f32;
+    var phi_392_: bool;
+    var phi_396_: f32;
+    var phi_416_: f32;
+    var phi_421_: f32;
     var phi_422_: bool;
-    var phi_517_: evaluate_Verdict;
-    var phi_518_: evaluate_Verdict;
-    var phi_519_: bool;
-    var phi_520_: evaluate_Verdict;
-    var phi_521_: evaluate_Verdict;
-    var phi_522_: bool;
-    var phi_526_: evaluate_Verdict;
+    var phi_423_: f32;
+    var phi_424_: bool;
+    var phi_428_: f32;
+    var phi_474_: i32;
+    var phi_479_: i32;
+    var phi_484_: i32;
+    var phi_489_: i32;
+    var phi_498_: i32;
+    var phi_503_: i32;
+    var phi_508_: i32;
+    var phi_513_: i32;
+    var phi_554_: evaluate_Verdict;
+    var phi_555_: evaluate_Verdict;
+    var phi_556_: bool;
+    var phi_557_: evaluate_Verdict;
+    var phi_558_: evaluate_Verdict;
+    var phi_559_: bool;
+    var phi_563_: evaluate_Verdict;
 
-    let _e30 = id_1;
-    let _e37 = arrayLength((&map.member));
-    let _e43 = p.member.size[0u];
-    let _e45 = p.member.size[1u];
-    let _e46 = lt_shaders_entry_pixel_index(_e30, _e43, _e45);
-    if (bitcast<i32>(_e46.root) != 0i) {
-        if (_e46.first_primitive < arrayLength((&samples.member))) {
+    let _e33 = id_1;
+    let _e40 = arrayLength((&map.member));
+    let _e46 = p.member.size[0u];
+    let _e48 = p.member.size[1u];
+    let _e49 = lt_shaders_entry_pixel_index(_e33, _e46, _e48);
+    if (bitcast<i32>(_e49.root) != 0i) {
+        if (_e49.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e55 = p.member.light;
-        let _e58 = samples.member[(0u + _e46.first_primitive)].normal[0u];
-        let _e60 = global[0u];
-        if (_e58 == _e60) {
-            let _e63 = samples.member[(0u + _e46.first_primitive)].normal[1u];
-            let _e65 = global[1u];
-            if (_e63 == _e65) {
-                let _e68 = samples.member[(0u + _e46.first_primitive)].normal[2u];
-                let _e70 = global[2u];
-                phi_268_ = (_e68 == _e70);
-                phi_269_ = false;
+        let _e58 = p.member.light;
+        let _e61 = samples.member[(0u + _e49.first_primitive)].normal[0u];
+        let _e63 = global[0u];
+        if (_e61 == _e63) {
+            let _e66 = samples.member[(0u + _e49.first_primitive)].normal[1u];
+            let _e68 = global[1u];
+            if (_e66 == _e68) {
+                let _e71 = samples.member[(0u + _e49.first_primitive)].normal[2u];
+                let _e73 = global[2u];
+                phi_188_ = (_e71 == _e73);
+                phi_189_ = false;
             } else {
-                phi_268_ = bool();
-                phi_269_ = true;
+                phi_188_ = bool();
+                phi_189_ = true;
             }
-            let _e73 = phi_268_;
-            let _e75 = phi_269_;
-            phi_270_ = _e73;
-            phi_271_ = _e75;
+            let _e76 = phi_188_;
+            let _e78 = phi_189_;
+            phi_190_ = _e76;
+            phi_191_ = _e78;
         } else {
-            phi_270_ = bool();
-            phi_271_ = true;
+            phi_190_ = bool();
+            phi_191_ = true;
         }
-        let _e77 = phi_270_;
-        let _e79 = phi_271_;
-        if _e79 {
-            phi_275_ = false;
+        let _e80 = phi_190_;
+        let _e82 = phi_191_;
+        if _e82 {
+            phi_195_ = false;
         } else {
-            phi_275_ = _e77;
+            phi_195_ = _e80;
         }
-        let _e81 = phi_275_;
-        if !(_e81) {
-            let _e84 = samples.member[(0u + _e46.first_primitive)].normal;
-            let _e86 = samples.member[(0u + _e46.first_primitive)].position;
-            let _e87 = lt_shaders_evaluate_to_light(_e86, _e55);
-            if ((((_e84.x * _e87.x) + (_e84.y * _e87.y)) + (_e84.z * _e87.z)) > 0f) {
-                let _e101 = samples.member[(0u + _e46.first_primitive)].flags;
-                let _e109 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e115 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e109.unnamed.visibility, false), _e109.unnamed_1);
-                phi_310_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e115.unnamed, ((_e101 & 1u) == 0u));
+        let _e84 = phi_195_;
+        if !(_e84) {
+            let _e87 = samples.member[(0u + _e49.first_primitive)].normal;
+            let _e89 = samples.member[(0u + _e49.first_primitive)].position;
+            if ((((_e87.x * (_e58.x - (_e89.x * _e58.w))) + (_e87.y * (_e58.y - (_e89.y * _e58.w)))) + (_e87.z * (_e58.z - (_e89.z * _e58.w)))) > 0f) {
+                let _e113 = samples.member[(0u + _e49.first_primitive)].flags;
+                let _e121 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e127 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e121.unnamed.visibility, false), _e121.unnamed_1);
+                phi_239_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e127.unnamed, ((_e113 & 1u) == 0u));
             } else {
-                let _e124 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e130 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e124.unnamed.visibility, false), _e124.unnamed_1);
-                phi_310_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, true);
+                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
+                phi_239_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, true);
             }
-            let _e135 = phi_310_;
-            phi_314_ = _e135;
+            let _e147 = phi_239_;
+            phi_243_ = _e147;
         } else {
-            let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
-            phi_314_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, true);
+            let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
+            phi_243_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
         }
-        let _e152 = phi_314_;
-        if _e152.unnamed_1 {
-            phi_520_ = evaluate_Verdict(_e152.unnamed.visibility, _e152.unnamed.is_doubted);
-            phi_521_ = evaluate_Verdict();
-            phi_522_ = true;
+        let _e164 = phi_243_;
+        if _e164.unnamed_1 {
+            phi_557_ = evaluate_Verdict(_e164.unnamed.visibility, _e164.unnamed.is_doubted);
+            phi_558_ = evaluate_Verdict();
+            phi_559_ = true;
         } else {
-            let _e160 = samples.member[(0u + _e46.first_primitive)].position;
-            let _e166 = p.member.projection.row_w;
-            let _e177 = ((((_e166.x * _e160.x) + (_e166.y * _e160.y)) + (_e166.z * _e160.z)) + (_e166.w * 1f));
-            let _e179 = p.member.projection.row_x;
-            let _e191 = (((((_e179.x * _e160.x) + (_e179.y * _e160.y)) + (_e179.z * _e160.z)) + (_e179.w * 1f)) / _e177);
-            let _e193 = p.member.projection.row_y;
-            let _e205 = (((((_e193.x * _e160.x) + (_e193.y * _e160.y)) + (_e193.z * _e160.z)) + (_e193.w * 1f)) / _e177);
-            let _e207 = p.member.projection.row_z;
-            let _e218 = ((((_e207.x * _e160.x) + (_e207.y * _e160.y)) + (_e207.z * _e160.z)) + (_e207.w * 1f));
-            if (_e177 > 0f) {
-                if (_e191 >= 0f) {
-                    if (_e191 <= 1f) {
-                        if (_e205 >= 0f) {
-                            if (_e205 <= 1f) {
-                                if (_e218 >= 0f) {
-                                    phi_407_ = (_e218 <= 1f);
-                                    phi_408_ = false;
-                                } else {
-                                    phi_407_ = bool();
-                                    phi_408_ = true;
-                                }
-                                let _e227 = phi_407_;
-                                let _e229 = phi_408_;
-                                phi_409_ = _e227;
-                                phi_410_ = _e229;
-                            } else {
-                                phi_409_ = bool();
-                                phi_410_ = true;
-                            }
-                            let _e231 = phi_409_;
-                            let _e233 = phi_410_;
-                            phi_411_ = _e231;
-                            phi_412_ = _e233;
-                        } else {
-                            phi_411_ = bool();
-                            phi_412_ = true;
-                        }
-                        let _e235 = phi_411_;
-                        let _e237 = phi_412_;
-                        phi_413_ = _e235;
-                        phi_414_ = _e237;
+            let _e172 = samples.member[(0u + _e49.first_primitive)].position;
+            let _e178 = p.member.projection.row_w;
+            let _e189 = ((((_e178.x * _e172.x) + (_e178.y * _e172.y)) + (_e178.z * _e172.z)) + (_e178.w * 1f));
+            let _e191 = p.member.projection.row_x;
+            let _e203 = (((((_e191.x * _e172.x) + (_e191.y * _e172.y)) + (_e191.z * _e172.z)) + (_e191.w * 1f)) / _e189);
+            let _e205 = p.member.projection.row_y;
+            let _e217 = (((((_e205.x * _e172.x) + (_e205.y * _e172.y)) + (_e205.z * _e172.z)) + (_e205.w * 1f)) / _e189);
+            let _e219 = p.member.projection.row_z;
+            let _e230 = ((((_e219.x * _e172.x) + (_e219.y * _e172.y)) + (_e219.z * _e172.z)) + (_e219.w * 1f));
+            if (_e189 > 0f) {
+                if (_e203 >= 0f) {
+                    phi_320_ = (_e203 <= 1f);
+                } else {
+                    phi_320_ = false;
+                }
+                let _e235 = phi_320_;
+                if _e235 {
+                    if (_e217 >= 0f) {
+                        phi_329_ = (_e217 <= 1f);
                     } else {
-                        phi_413_ = bool();
-                        phi_414_ = true;
+                        phi_329_ = false;
                     }
-                    let _e239 = phi_413_;
-                    let _e241 = phi_414_;
-                    phi_415_ = _e239;
-                    phi_416_ = _e241;
+                    let _e239 = phi_329_;
+                    if _e239 {
+                        if (_e230 >= 0f) {
+                            phi_338_ = (_e230 <= 1f);
+                        } else {
+                            phi_338_ = false;
+                        }
+                        let _e243 = phi_338_;
+                        phi_339_ = _e243;
+                        phi_340_ = false;
+                    } else {
+                        phi_339_ = bool();
+                        phi_340_ = true;
+                    }
+                    let _e245 = phi_339_;
+                    let _e247 = phi_340_;
+                    phi_341_ = _e245;
+                    phi_342_ = _e247;
                 } else {
-                    phi_415_ = bool();
-                    phi_416_ = true;
+                    phi_341_ = bool();
+                    phi_342_ = true;
                 }
-                let _e243 = phi_415_;
-                let _e245 = phi_416_;
-                phi_417_ = _e243;
-                phi_418_ = _e245;
+                let _e249 = phi_341_;
+                let _e251 = phi_342_;
+                phi_343_ = _e249;
+                phi_344_ = _e251;
             } else {
-                phi_417_ = bool();
-                phi_418_ = true;
+                phi_343_ = bool();
+                phi_344_ = true;
             }
-            let _e247 = phi_417_;
-            let _e249 = phi_418_;
-            if _e249 {
-                phi_422_ = false;
+            let _e253 = phi_343_;
+            let _e255 = phi_344_;
+            if _e255 {
+                phi_348_ = false;
             } else {
-                phi_422_ = _e247;
+                phi_348_ = _e253;
             }
-            let _e251 = phi_422_;
-            if _e251 {
-                let _e253 = p.member.map_size;
-                let _e254 = f32(_e253);
-                let _e257 = ((_e191 * _e254) - 0.5f);
-                let _e258 = ((_e205 * _e254) - 0.5f);
-                let _e259 = floor(_e257);
-                let _e260 = floor(_e258);
-                let _e261 = (_e257 - _e259);
-                let _e262 = (_e258 - _e260);
-                let _e291 = p.member.test;
-                let _e292 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e291);
-                let _e294 = p.member.map_size;
-                local = _e292;
-                let _e295 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e259), i32(-2147483648), (_e259 < bitcast<f32>(3472883712u))), 2147483647i, (_e259 > bitcast<f32>(1325400063u))), (_e259 == _e259)), select(0i, select(select(i32(_e260), i32(-2147483648), (_e260 < bitcast<f32>(3472883712u))), 2147483647i, (_e260 > bitcast<f32>(1325400063u))), (_e260 == _e260)), _e294);
-                if (_e295[0] < _e37) {
+            let _e257 = phi_348_;
+            if _e257 {
+                let _e259 = p.member.map_size;
+                let _e260 = f32(_e259);
+                let _e263 = ((_e203 * _e260) - 0.5f);
+                let _e264 = ((_e217 * _e260) - 0.5f);
+                if (_e263 > -8388608f) {
+                    let _e276 = f32(select(0i, select(select(i32(_e263), i32(-2147483648), (_e263 < bitcast<f32>(3472883712u))), 2147483647i, (_e263 > bitcast<f32>(1325400063u))), (_e263 == _e263)));
+                    if (_e276 > _e263) {
+                        phi_384_ = 1f;
+                    } else {
+                        phi_384_ = 0f;
+                    }
+                    let _e279 = phi_384_;
+                    if (_e263 < 8388608f) {
+                        phi_389_ = (_e276 - _e279);
+                        phi_390_ = false;
+                    } else {
+                        phi_389_ = f32();
+                        phi_390_ = true;
+                    }
+                    let _e282 = phi_389_;
+                    let _e284 = phi_390_;
+                    phi_391_ = _e282;
+                    phi_392_ = _e284;
+                } else {
+                    phi_391_ = f32();
+                    phi_392_ = true;
+                }
+                let _e286 = phi_391_;
+                let _e288 = phi_392_;
+                if _e288 {
+                    phi_396_ = _e263;
+                } else {
+                    phi_396_ = _e286;
+                }
+                let _e290 = phi_396_;
+                if (_e264 > -8388608f) {
+                    let _e302 = f32(select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)));
+                    if (_e302 > _e264) {
+                        phi_416_ = 1f;
+                    } else {
+                        phi_416_ = 0f;
+                    }
+                    let _e305 = phi_416_;
+                    if (_e264 < 8388608f) {
+                        phi_421_ = (_e302 - _e305);
+                        phi_422_ = false;
+                    } else {
+                        phi_421_ = f32();
+                        phi_422_ = true;
+                    }
+                    let _e308 = phi_421_;
+                    let _e310 = phi_422_;
+                    phi_423_ = _e308;
+                    phi_424_ = _e310;
+                } else {
+                    phi_423_ = f32();
+                    phi_424_ = true;
+                }
+                let _e312 = phi_423_;
+                let _e314 = phi_424_;
+                if _e314 {
+                    phi_428_ = _e264;
+                } else {
+                    phi_428_ = _e312;
+                }
+                let _e316 = phi_428_;
+                let _e317 = (_e263 - _e290);
+                let _e318 = (_e264 - _e316);
+                let _e327 = select(0i, select(select(i32(_e290), i32(-2147483648), (_e290 < bitcast<f32>(3472883712u))), 2147483647i, (_e290 > bitcast<f32>(1325400063u))), (_e290 == _e290));
+                let _e336 = select(0i, select(select(i32(_e316), i32(-2147483648), (_e316 < bitcast<f32>(3472883712u))), 2147483647i, (_e316 > bitcast<f32>(1325400063u))), (_e316 == _e316));
+                let _e347 = p.member.test;
+                let _e348 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e347);
+                let _e350 = p.member.map_size;
+                local = _e348;
+                let _e352 = (bitcast<i32>(_e350) - 1i);
+                if (_e327 > 0i) {
+                    phi_474_ = _e327;
+                } else {
+                    phi_474_ = 0i;
+                }
+                let _e355 = phi_474_;
+                if (_e336 > 0i) {
+                    phi_479_ = _e336;
+                } else {
+                    phi_479_ = 0i;
+                }
+                let _e358 = phi_479_;
+                if (_e355 < _e352) {
+                    phi_484_ = _e355;
+                } else {
+                    phi_484_ = _e352;
+                }
+                let _e361 = phi_484_;
+                if (_e358 < _e352) {
+                    phi_489_ = _e358;
+                } else {
+                    phi_489_ = _e352;
+                }
+                let _e364 = phi_489_;
+                let _e365 = bitcast<u32>(_e361);
+                let _e367 = (_e327 + 1i);
+                let _e368 = (_e336 + 1i);
+                if (_e367 > 0i) {
+                    phi_498_ = _e367;
+                } else {
+                    phi_498_ = 0i;
+                }
+                let _e371 = phi_498_;
+                if (_e368 > 0i) {
+                    phi_503_ = _e368;
+                } else {
+                    phi_503_ = 0i;
+                }
+                let _e374 = phi_503_;
+                if (_e371 < _e352) {
+                    phi_508_ = _e371;
+                } else {
+                    phi_508_ = _e352;
+                }
+                let _e377 = phi_508_;
+                if (_e374 < _e352) {
+                    phi_513_ = _e374;
+                } else {
+                    phi_513_ = _e352;
+                }
+                let _e380 = phi_513_;
+                let _e381 = bitcast<u32>(_e377);
+                let _e383 = (bitcast<u32>(_e364) * _e350);
+                let _e384 = (bitcast<u32>(_e380) * _e350);
+                let _e385 = (_e383 + _e365);
+                let _e386 = (_e383 + _e381);
+                let _e387 = (_e384 + _e365);
+                let _e388 = (_e384 + _e381);
+                if (_e385 < _e40) {
                 } else {
                     return;
                 }
-                let _e300 = map.member[(0u + _e295[0])];
-                if (_e295[1] < _e37) {
+                let _e392 = map.member[(0u + _e385)];
+                if (_e386 < _e40) {
                 } else {
                     return;
                 }
-                let _e305 = map.member[(0u + _e295[1])];
-                if (_e295[2] < _e37) {
+                let _e396 = map.member[(0u + _e386)];
+                if (_e387 < _e40) {
                 } else {
                     return;
                 }
-                let _e310 = map.member[(0u + _e295[2])];
-                if (_e295[3] < _e37) {
+                let _e400 = map.member[(0u + _e387)];
+                if (_e388 < _e40) {
                 } else {
                     return;
                 }
-                let _e315 = map.member[(0u + _e295[3])];
-                let _e317 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e300, _e305, _e310, _e315), vec4<f32>(((1f - _e261) * (1f - _e262)), (_e261 * (1f - _e262)), ((1f - _e261) * _e262), (_e261 * _e262)), _e218);
-                phi_517_ = evaluate_Verdict(_e317, false);
-                phi_518_ = evaluate_Verdict();
-                phi_519_ = false;
+                let _e404 = map.member[(0u + _e388)];
+                let _e406 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e392, _e396, _e400, _e404), vec4<f32>(((1f - _e317) * (1f - _e318)), (_e317 * (1f - _e318)), ((1f - _e317) * _e318), (_e317 * _e318)), _e230);
+                phi_554_ = evaluate_Verdict(_e406, false);
+                phi_555_ = evaluate_Verdict();
+                phi_556_ = false;
             } else {
-                phi_517_ = evaluate_Verdict();
-                phi_518_ = evaluate_Verdict(1f, false);
-                phi_519_ = true;
+                phi_554_ = evaluate_Verdict();
+                phi_555_ = evaluate_Verdict(1f, false);
+                phi_556_ = true;
             }
-            let _e321 = phi_517_;
-            let _e323 = phi_518_;
-            let _e325 = phi_519_;
-            phi_520_ = _e323;
-            phi_521_ = _e321;
-            phi_522_ = _e325;
+            let _e410 = phi_554_;
+            let _e412 = phi_555_;
+            let _e414 = phi_556_;
+            phi_557_ = _e412;
+            phi_558_ = _e410;
+            phi_559_ = _e414;
         }
-        let _e327 = phi_520_;
-        let _e329 = phi_521_;
-        let _e331 = phi_522_;
-        if _e331 {
-            phi_526_ = _e327;
+        let _e416 = phi_557_;
+        let _e418 = phi_558_;
+        let _e420 = phi_559_;
+        if _e420 {
+            phi_563_ = _e416;
         } else {
-            phi_526_ = _e329;
+            phi_563_ = _e418;
         }
-        let _e333 = phi_526_;
-        if (_e46.first_primitive < arrayLength((&visibility.member))) {
+        let _e422 = phi_563_;
+        if (_e49.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e46.first_primitive)] = _e333.visibility;
+        visibility.member[(0u + _e49.first_primitive)] = _e422.visibility;
     }
     return;
 }

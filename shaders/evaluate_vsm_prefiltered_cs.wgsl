@@ -14,11 +14,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_20 {
+struct type_18 {
     member: array<abi_Sample>,
 }
 
-struct type_24 {
+struct type_22 {
     member: array<f32>,
 }
 
@@ -27,7 +27,7 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct type_32 {
+struct type_30 {
     member: array<vec4<f32>>,
 }
 
@@ -44,7 +44,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_35 {
+struct type_34 {
     member: abi_ShadowParams,
 }
 
@@ -60,476 +60,506 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_20;
+var<storage> samples: type_18;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_35;
+var<uniform> p: type_34;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_24;
+var<storage, read_write> visibility: type_22;
 @group(0) @binding(2) 
-var<storage> map: type_32;
+var<storage> map: type_30;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_130_: lt_bvh_traverse_Tree;
-    var phi_131_: bool;
-    var phi_132_: lt_bvh_traverse_Tree;
-    var phi_133_: bool;
-    var phi_138_: lt_bvh_traverse_Tree;
+    var phi_126_: lt_bvh_traverse_Tree;
+    var phi_127_: bool;
+    var phi_128_: lt_bvh_traverse_Tree;
+    var phi_129_: bool;
+    var phi_134_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_130_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_131_ = false;
+            phi_126_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_127_ = false;
         } else {
-            phi_130_ = lt_bvh_traverse_Tree();
-            phi_131_ = true;
+            phi_126_ = lt_bvh_traverse_Tree();
+            phi_127_ = true;
         }
-        let _e43 = phi_130_;
-        let _e45 = phi_131_;
-        phi_132_ = _e43;
-        phi_133_ = _e45;
+        let _e46 = phi_126_;
+        let _e48 = phi_127_;
+        phi_128_ = _e46;
+        phi_129_ = _e48;
     } else {
-        phi_132_ = lt_bvh_traverse_Tree();
-        phi_133_ = true;
+        phi_128_ = lt_bvh_traverse_Tree();
+        phi_129_ = true;
     }
-    let _e47 = phi_132_;
-    let _e49 = phi_133_;
-    if _e49 {
-        phi_138_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e50 = phi_128_;
+    let _e52 = phi_129_;
+    if _e52 {
+        phi_134_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_138_ = _e47;
+        phi_134_ = _e50;
     }
-    let _e54 = phi_138_;
-    return lt_bvh_traverse_Tree(_e54.root, _e54.first_primitive);
+    let _e57 = phi_134_;
+    return lt_bvh_traverse_Tree(_e57.root, _e57.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn lt_shaders_evaluate_to_light(param_4: vec3<f32>, param_5: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_5.x - (param_4.x * param_5.w)), (param_5.y - (param_4.y * param_5.w)), (param_5.z - (param_4.z * param_5.w)));
-}
-
-fn lt_shaders_evaluate_quad_indices(param_6: i32, param_7: i32, param_8: u32) -> array<u32, 4> {
-    var phi_172_: i32;
-    var phi_177_: i32;
-    var phi_182_: i32;
-    var phi_187_: i32;
-    var phi_196_: i32;
-    var phi_201_: i32;
-    var phi_206_: i32;
-    var phi_211_: i32;
-
-    let _e34 = (bitcast<i32>(param_8) - 1i);
-    if (param_6 > 0i) {
-        phi_172_ = param_6;
-    } else {
-        phi_172_ = 0i;
-    }
-    let _e37 = phi_172_;
-    if (param_7 > 0i) {
-        phi_177_ = param_7;
-    } else {
-        phi_177_ = 0i;
-    }
-    let _e40 = phi_177_;
-    if (_e37 < _e34) {
-        phi_182_ = _e37;
-    } else {
-        phi_182_ = _e34;
-    }
-    let _e43 = phi_182_;
-    if (_e40 < _e34) {
-        phi_187_ = _e40;
-    } else {
-        phi_187_ = _e34;
-    }
-    let _e46 = phi_187_;
-    let _e47 = bitcast<u32>(_e43);
-    let _e49 = (param_6 + 1i);
-    let _e50 = (param_7 + 1i);
-    if (_e49 > 0i) {
-        phi_196_ = _e49;
-    } else {
-        phi_196_ = 0i;
-    }
-    let _e53 = phi_196_;
-    if (_e50 > 0i) {
-        phi_201_ = _e50;
-    } else {
-        phi_201_ = 0i;
-    }
-    let _e56 = phi_201_;
-    if (_e53 < _e34) {
-        phi_206_ = _e53;
-    } else {
-        phi_206_ = _e34;
-    }
-    let _e59 = phi_206_;
-    if (_e56 < _e34) {
-        phi_211_ = _e56;
-    } else {
-        phi_211_ = _e34;
-    }
-    let _e62 = phi_211_;
-    let _e63 = bitcast<u32>(_e59);
-    let _e65 = (bitcast<u32>(_e46) * param_8);
-    let _e66 = (bitcast<u32>(_e62) * param_8);
-    return array<u32, 4>((_e65 + _e47), (_e65 + _e63), (_e66 + _e47), (_e66 + _e63));
-}
-
-fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_9: ptr<function, f32>, param_10: vec4<f32>, param_11: f32) -> f32 {
-    var phi_602_: f32;
-    var phi_603_: f32;
-    var phi_604_: f32;
-    var phi_627_: bool;
-    var phi_631_: f32;
-    var phi_632_: f32;
-    var phi_649_: bool;
-    var phi_653_: f32;
-    var phi_654_: f32;
-    var phi_666_: bool;
-    var phi_673_: f32;
-    var phi_688_: f32;
+fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
+    var phi_639_: f32;
+    var phi_640_: f32;
+    var phi_641_: f32;
+    var phi_665_: bool;
+    var phi_669_: f32;
+    var phi_670_: f32;
+    var phi_682_: bool;
     var phi_689_: f32;
-    var phi_690_: f32;
+    var phi_704_: f32;
+    var phi_705_: f32;
+    var phi_706_: f32;
 
-    if ((bitcast<u32>(param_11) & 2147483647u) > 2139095040u) {
-        phi_604_ = param_11;
+    if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
+        phi_641_ = param_6;
     } else {
-        if (param_11 < 0f) {
-            phi_603_ = 0f;
+        if (param_6 < 0f) {
+            phi_640_ = 0f;
         } else {
-            if (param_11 > 1f) {
-                phi_602_ = 1f;
+            if (param_6 > 1f) {
+                phi_639_ = 1f;
             } else {
-                phi_602_ = param_11;
+                phi_639_ = param_6;
             }
-            let _e39 = phi_602_;
-            phi_603_ = _e39;
+            let _e42 = phi_639_;
+            phi_640_ = _e42;
         }
-        let _e41 = phi_603_;
-        phi_604_ = _e41;
+        let _e44 = phi_640_;
+        phi_641_ = _e44;
     }
-    let _e43 = phi_604_;
-    let _e46 = (*param_9);
-    let _e48 = (param_10.y - (param_10.x * param_10.x));
-    let _e49 = (0.00000047683716f * param_10.y);
-    if ((bitcast<u32>(_e46) & 2147483647u) > 2139095040u) {
-        phi_632_ = _e46;
+    let _e46 = phi_641_;
+    let _e49 = (*param_4);
+    let _e53 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
+        phi_670_ = _e53;
     } else {
         if ((bitcast<u32>(_e49) & 2147483647u) > 2139095040u) {
-            phi_627_ = true;
+            phi_665_ = true;
         } else {
-            let _e56 = (_e49 > _e46);
-            if _e56 {
+            let _e60 = (_e49 > _e53);
+            if _e60 {
             }
-            phi_627_ = _e56;
+            phi_665_ = _e60;
         }
-        let _e58 = phi_627_;
-        if _e58 {
-            phi_631_ = _e49;
+        let _e62 = phi_665_;
+        if _e62 {
+            phi_669_ = _e49;
         } else {
-            phi_631_ = _e46;
+            phi_669_ = _e53;
         }
-        let _e60 = phi_631_;
-        phi_632_ = _e60;
+        let _e64 = phi_669_;
+        phi_670_ = _e64;
     }
-    let _e62 = phi_632_;
-    if ((bitcast<u32>(_e48) & 2147483647u) > 2139095040u) {
-        phi_654_ = _e48;
-    } else {
-        if ((bitcast<u32>(_e62) & 2147483647u) > 2139095040u) {
-            phi_649_ = true;
-        } else {
-            let _e69 = (_e62 > _e48);
-            if _e69 {
-            }
-            phi_649_ = _e69;
-        }
-        let _e71 = phi_649_;
+    let _e66 = phi_670_;
+    let _e67 = (_e46 - param_5.x);
+    if (_e67 <= 0f) {
+        let _e71 = ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u);
         if _e71 {
-            phi_653_ = _e62;
-        } else {
-            phi_653_ = _e48;
         }
-        let _e73 = phi_653_;
-        phi_654_ = _e73;
-    }
-    let _e75 = phi_654_;
-    let _e76 = (_e43 - param_10.x);
-    if (_e76 <= 0f) {
-        let _e80 = ((bitcast<u32>(_e75) & 2147483647u) > 2139095040u);
-        if _e80 {
-        }
-        phi_666_ = _e80;
+        phi_682_ = _e71;
     } else {
-        phi_666_ = true;
+        phi_682_ = true;
     }
-    let _e82 = phi_666_;
-    if _e82 {
-        phi_673_ = (_e75 / (_e75 + (_e76 * _e76)));
+    let _e73 = phi_682_;
+    if _e73 {
+        phi_689_ = (_e66 / (_e66 + (_e67 * _e67)));
     } else {
-        phi_673_ = 1f;
+        phi_689_ = 1f;
     }
-    let _e87 = phi_673_;
-    if ((bitcast<u32>(_e87) & 2147483647u) > 2139095040u) {
-        phi_690_ = _e87;
+    let _e78 = phi_689_;
+    if ((bitcast<u32>(_e78) & 2147483647u) > 2139095040u) {
+        phi_706_ = _e78;
     } else {
-        if (_e87 < 0f) {
-            phi_689_ = 0f;
+        if (_e78 < 0f) {
+            phi_705_ = 0f;
         } else {
-            if (_e87 > 1f) {
-                phi_688_ = 1f;
+            if (_e78 > 1f) {
+                phi_704_ = 1f;
             } else {
-                phi_688_ = _e87;
+                phi_704_ = _e78;
             }
-            let _e94 = phi_688_;
-            phi_689_ = _e94;
+            let _e85 = phi_704_;
+            phi_705_ = _e85;
         }
-        let _e96 = phi_689_;
-        phi_690_ = _e96;
+        let _e87 = phi_705_;
+        phi_706_ = _e87;
     }
-    let _e98 = phi_690_;
-    return _e98;
+    let _e89 = phi_706_;
+    return _e89;
 }
 
 fn function_() {
     var local: f32;
-    var phi_274_: bool;
-    var phi_275_: bool;
-    var phi_276_: bool;
-    var phi_277_: bool;
-    var phi_281_: bool;
-    var phi_316_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_320_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_413_: bool;
-    var phi_414_: bool;
-    var phi_415_: bool;
-    var phi_416_: bool;
-    var phi_417_: bool;
-    var phi_418_: bool;
-    var phi_419_: bool;
-    var phi_420_: bool;
-    var phi_421_: bool;
-    var phi_422_: bool;
-    var phi_423_: bool;
-    var phi_424_: bool;
+    var phi_194_: bool;
+    var phi_195_: bool;
+    var phi_196_: bool;
+    var phi_197_: bool;
+    var phi_201_: bool;
+    var phi_245_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_249_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_326_: bool;
+    var phi_335_: bool;
+    var phi_344_: bool;
+    var phi_345_: bool;
+    var phi_346_: bool;
+    var phi_347_: bool;
+    var phi_348_: bool;
+    var phi_349_: bool;
+    var phi_350_: bool;
+    var phi_354_: bool;
+    var phi_390_: f32;
+    var phi_395_: f32;
+    var phi_396_: bool;
+    var phi_397_: f32;
+    var phi_398_: bool;
+    var phi_402_: f32;
+    var phi_422_: f32;
+    var phi_427_: f32;
     var phi_428_: bool;
-    var phi_567_: evaluate_Verdict;
-    var phi_568_: evaluate_Verdict;
-    var phi_569_: bool;
-    var phi_570_: evaluate_Verdict;
-    var phi_571_: evaluate_Verdict;
-    var phi_572_: bool;
-    var phi_576_: evaluate_Verdict;
+    var phi_429_: f32;
+    var phi_430_: bool;
+    var phi_434_: f32;
+    var phi_480_: i32;
+    var phi_485_: i32;
+    var phi_490_: i32;
+    var phi_495_: i32;
+    var phi_504_: i32;
+    var phi_509_: i32;
+    var phi_514_: i32;
+    var phi_519_: i32;
+    var phi_604_: evaluate_Verdict;
+    var phi_605_: evaluate_Verdict;
+    var phi_606_: bool;
+    var phi_607_: evaluate_Verdict;
+    var phi_608_: evaluate_Verdict;
+    var phi_609_: bool;
+    var phi_613_: evaluate_Verdict;
 
-    let _e31 = id_1;
-    let _e38 = arrayLength((&map.member));
-    let _e44 = p.member.size[0u];
-    let _e46 = p.member.size[1u];
-    let _e47 = lt_shaders_entry_pixel_index(_e31, _e44, _e46);
-    if (bitcast<i32>(_e47.root) != 0i) {
-        if (_e47.first_primitive < arrayLength((&samples.member))) {
+    let _e34 = id_1;
+    let _e41 = arrayLength((&map.member));
+    let _e47 = p.member.size[0u];
+    let _e49 = p.member.size[1u];
+    let _e50 = lt_shaders_entry_pixel_index(_e34, _e47, _e49);
+    if (bitcast<i32>(_e50.root) != 0i) {
+        if (_e50.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e56 = p.member.light;
-        let _e59 = samples.member[(0u + _e47.first_primitive)].normal[0u];
-        let _e61 = global[0u];
-        if (_e59 == _e61) {
-            let _e64 = samples.member[(0u + _e47.first_primitive)].normal[1u];
-            let _e66 = global[1u];
-            if (_e64 == _e66) {
-                let _e69 = samples.member[(0u + _e47.first_primitive)].normal[2u];
-                let _e71 = global[2u];
-                phi_274_ = (_e69 == _e71);
-                phi_275_ = false;
+        let _e59 = p.member.light;
+        let _e62 = samples.member[(0u + _e50.first_primitive)].normal[0u];
+        let _e64 = global[0u];
+        if (_e62 == _e64) {
+            let _e67 = samples.member[(0u + _e50.first_primitive)].normal[1u];
+            let _e69 = global[1u];
+            if (_e67 == _e69) {
+                let _e72 = samples.member[(0u + _e50.first_primitive)].normal[2u];
+                let _e74 = global[2u];
+                phi_194_ = (_e72 == _e74);
+                phi_195_ = false;
             } else {
-                phi_274_ = bool();
-                phi_275_ = true;
+                phi_194_ = bool();
+                phi_195_ = true;
             }
-            let _e74 = phi_274_;
-            let _e76 = phi_275_;
-            phi_276_ = _e74;
-            phi_277_ = _e76;
+            let _e77 = phi_194_;
+            let _e79 = phi_195_;
+            phi_196_ = _e77;
+            phi_197_ = _e79;
         } else {
-            phi_276_ = bool();
-            phi_277_ = true;
+            phi_196_ = bool();
+            phi_197_ = true;
         }
-        let _e78 = phi_276_;
-        let _e80 = phi_277_;
-        if _e80 {
-            phi_281_ = false;
+        let _e81 = phi_196_;
+        let _e83 = phi_197_;
+        if _e83 {
+            phi_201_ = false;
         } else {
-            phi_281_ = _e78;
+            phi_201_ = _e81;
         }
-        let _e82 = phi_281_;
-        if !(_e82) {
-            let _e85 = samples.member[(0u + _e47.first_primitive)].normal;
-            let _e87 = samples.member[(0u + _e47.first_primitive)].position;
-            let _e88 = lt_shaders_evaluate_to_light(_e87, _e56);
-            if ((((_e85.x * _e88.x) + (_e85.y * _e88.y)) + (_e85.z * _e88.z)) > 0f) {
-                let _e102 = samples.member[(0u + _e47.first_primitive)].flags;
-                let _e110 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e116 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e110.unnamed.visibility, false), _e110.unnamed_1);
-                phi_316_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e116.unnamed, ((_e102 & 1u) == 0u));
+        let _e85 = phi_201_;
+        if !(_e85) {
+            let _e88 = samples.member[(0u + _e50.first_primitive)].normal;
+            let _e90 = samples.member[(0u + _e50.first_primitive)].position;
+            if ((((_e88.x * (_e59.x - (_e90.x * _e59.w))) + (_e88.y * (_e59.y - (_e90.y * _e59.w)))) + (_e88.z * (_e59.z - (_e90.z * _e59.w)))) > 0f) {
+                let _e114 = samples.member[(0u + _e50.first_primitive)].flags;
+                let _e122 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e122.unnamed.visibility, false), _e122.unnamed_1);
+                phi_245_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e128.unnamed, ((_e114 & 1u) == 0u));
             } else {
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_316_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, true);
+                let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
+                phi_245_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, true);
             }
-            let _e136 = phi_316_;
-            phi_320_ = _e136;
+            let _e148 = phi_245_;
+            phi_249_ = _e148;
         } else {
-            let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e142.unnamed.visibility, false), _e142.unnamed_1);
-            phi_320_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e148.unnamed, true);
+            let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e154.unnamed.visibility, false), _e154.unnamed_1);
+            phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e160.unnamed, true);
         }
-        let _e153 = phi_320_;
-        if _e153.unnamed_1 {
-            phi_570_ = evaluate_Verdict(_e153.unnamed.visibility, _e153.unnamed.is_doubted);
-            phi_571_ = evaluate_Verdict();
-            phi_572_ = true;
+        let _e165 = phi_249_;
+        if _e165.unnamed_1 {
+            phi_607_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
+            phi_608_ = evaluate_Verdict();
+            phi_609_ = true;
         } else {
-            let _e161 = samples.member[(0u + _e47.first_primitive)].position;
-            let _e167 = p.member.projection.row_w;
-            let _e178 = ((((_e167.x * _e161.x) + (_e167.y * _e161.y)) + (_e167.z * _e161.z)) + (_e167.w * 1f));
-            let _e180 = p.member.projection.row_x;
-            let _e192 = (((((_e180.x * _e161.x) + (_e180.y * _e161.y)) + (_e180.z * _e161.z)) + (_e180.w * 1f)) / _e178);
-            let _e194 = p.member.projection.row_y;
-            let _e206 = (((((_e194.x * _e161.x) + (_e194.y * _e161.y)) + (_e194.z * _e161.z)) + (_e194.w * 1f)) / _e178);
-            let _e208 = p.member.projection.row_z;
-            let _e219 = ((((_e208.x * _e161.x) + (_e208.y * _e161.y)) + (_e208.z * _e161.z)) + (_e208.w * 1f));
-            if (_e178 > 0f) {
-                if (_e192 >= 0f) {
-                    if (_e192 <= 1f) {
-                        if (_e206 >= 0f) {
-                            if (_e206 <= 1f) {
-                                if (_e219 >= 0f) {
-                                    phi_413_ = (_e219 <= 1f);
-                                    phi_414_ = false;
-                                } else {
-                                    phi_413_ = bool();
-                                    phi_414_ = true;
-                                }
-                                let _e228 = phi_413_;
-                                let _e230 = phi_414_;
-                                phi_415_ = _e228;
-                                phi_416_ = _e230;
-                            } else {
-                                phi_415_ = bool();
-                                phi_416_ = true;
-                            }
-                            let _e232 = phi_415_;
-                            let _e234 = phi_416_;
-                            phi_417_ = _e232;
-                            phi_418_ = _e234;
-                        } else {
-                            phi_417_ = bool();
-                            phi_418_ = true;
-                        }
-                        let _e236 = phi_417_;
-                        let _e238 = phi_418_;
-                        phi_419_ = _e236;
-                        phi_420_ = _e238;
+            let _e173 = samples.member[(0u + _e50.first_primitive)].position;
+            let _e179 = p.member.projection.row_w;
+            let _e190 = ((((_e179.x * _e173.x) + (_e179.y * _e173.y)) + (_e179.z * _e173.z)) + (_e179.w * 1f));
+            let _e192 = p.member.projection.row_x;
+            let _e204 = (((((_e192.x * _e173.x) + (_e192.y * _e173.y)) + (_e192.z * _e173.z)) + (_e192.w * 1f)) / _e190);
+            let _e206 = p.member.projection.row_y;
+            let _e218 = (((((_e206.x * _e173.x) + (_e206.y * _e173.y)) + (_e206.z * _e173.z)) + (_e206.w * 1f)) / _e190);
+            let _e220 = p.member.projection.row_z;
+            let _e231 = ((((_e220.x * _e173.x) + (_e220.y * _e173.y)) + (_e220.z * _e173.z)) + (_e220.w * 1f));
+            if (_e190 > 0f) {
+                if (_e204 >= 0f) {
+                    phi_326_ = (_e204 <= 1f);
+                } else {
+                    phi_326_ = false;
+                }
+                let _e236 = phi_326_;
+                if _e236 {
+                    if (_e218 >= 0f) {
+                        phi_335_ = (_e218 <= 1f);
                     } else {
-                        phi_419_ = bool();
-                        phi_420_ = true;
+                        phi_335_ = false;
                     }
-                    let _e240 = phi_419_;
-                    let _e242 = phi_420_;
-                    phi_421_ = _e240;
-                    phi_422_ = _e242;
+                    let _e240 = phi_335_;
+                    if _e240 {
+                        if (_e231 >= 0f) {
+                            phi_344_ = (_e231 <= 1f);
+                        } else {
+                            phi_344_ = false;
+                        }
+                        let _e244 = phi_344_;
+                        phi_345_ = _e244;
+                        phi_346_ = false;
+                    } else {
+                        phi_345_ = bool();
+                        phi_346_ = true;
+                    }
+                    let _e246 = phi_345_;
+                    let _e248 = phi_346_;
+                    phi_347_ = _e246;
+                    phi_348_ = _e248;
                 } else {
-                    phi_421_ = bool();
-                    phi_422_ = true;
+                    phi_347_ = bool();
+                    phi_348_ = true;
                 }
-                let _e244 = phi_421_;
-                let _e246 = phi_422_;
-                phi_423_ = _e244;
-                phi_424_ = _e246;
+                let _e250 = phi_347_;
+                let _e252 = phi_348_;
+                phi_349_ = _e250;
+                phi_350_ = _e252;
             } else {
-                phi_423_ = bool();
-                phi_424_ = true;
+                phi_349_ = bool();
+                phi_350_ = true;
             }
-            let _e248 = phi_423_;
-            let _e250 = phi_424_;
-            if _e250 {
-                phi_428_ = false;
+            let _e254 = phi_349_;
+            let _e256 = phi_350_;
+            if _e256 {
+                phi_354_ = false;
             } else {
-                phi_428_ = _e248;
+                phi_354_ = _e254;
             }
-            let _e252 = phi_428_;
-            if _e252 {
-                let _e254 = p.member.map_size;
-                let _e255 = f32(_e254);
-                let _e258 = ((_e192 * _e255) - 0.5f);
-                let _e259 = ((_e206 * _e255) - 0.5f);
-                let _e260 = floor(_e258);
-                let _e261 = floor(_e259);
-                let _e262 = (_e258 - _e260);
-                let _e263 = (_e259 - _e261);
-                let _e284 = ((1f - _e262) * (1f - _e263));
-                let _e286 = (_e262 * (1f - _e263));
-                let _e288 = ((1f - _e262) * _e263);
-                let _e289 = (_e262 * _e263);
-                let _e291 = p.member.test;
-                let _e292 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e291);
-                let _e294 = p.member.map_size;
-                local = _e292;
-                let _e295 = lt_shaders_evaluate_quad_indices(select(0i, select(select(i32(_e260), i32(-2147483648), (_e260 < bitcast<f32>(3472883712u))), 2147483647i, (_e260 > bitcast<f32>(1325400063u))), (_e260 == _e260)), select(0i, select(select(i32(_e261), i32(-2147483648), (_e261 < bitcast<f32>(3472883712u))), 2147483647i, (_e261 > bitcast<f32>(1325400063u))), (_e261 == _e261)), _e294);
-                if (_e295[0] < _e38) {
+            let _e258 = phi_354_;
+            if _e258 {
+                let _e260 = p.member.map_size;
+                let _e261 = f32(_e260);
+                let _e264 = ((_e204 * _e261) - 0.5f);
+                let _e265 = ((_e218 * _e261) - 0.5f);
+                if (_e264 > -8388608f) {
+                    let _e277 = f32(select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)));
+                    if (_e277 > _e264) {
+                        phi_390_ = 1f;
+                    } else {
+                        phi_390_ = 0f;
+                    }
+                    let _e280 = phi_390_;
+                    if (_e264 < 8388608f) {
+                        phi_395_ = (_e277 - _e280);
+                        phi_396_ = false;
+                    } else {
+                        phi_395_ = f32();
+                        phi_396_ = true;
+                    }
+                    let _e283 = phi_395_;
+                    let _e285 = phi_396_;
+                    phi_397_ = _e283;
+                    phi_398_ = _e285;
+                } else {
+                    phi_397_ = f32();
+                    phi_398_ = true;
+                }
+                let _e287 = phi_397_;
+                let _e289 = phi_398_;
+                if _e289 {
+                    phi_402_ = _e264;
+                } else {
+                    phi_402_ = _e287;
+                }
+                let _e291 = phi_402_;
+                if (_e265 > -8388608f) {
+                    let _e303 = f32(select(0i, select(select(i32(_e265), i32(-2147483648), (_e265 < bitcast<f32>(3472883712u))), 2147483647i, (_e265 > bitcast<f32>(1325400063u))), (_e265 == _e265)));
+                    if (_e303 > _e265) {
+                        phi_422_ = 1f;
+                    } else {
+                        phi_422_ = 0f;
+                    }
+                    let _e306 = phi_422_;
+                    if (_e265 < 8388608f) {
+                        phi_427_ = (_e303 - _e306);
+                        phi_428_ = false;
+                    } else {
+                        phi_427_ = f32();
+                        phi_428_ = true;
+                    }
+                    let _e309 = phi_427_;
+                    let _e311 = phi_428_;
+                    phi_429_ = _e309;
+                    phi_430_ = _e311;
+                } else {
+                    phi_429_ = f32();
+                    phi_430_ = true;
+                }
+                let _e313 = phi_429_;
+                let _e315 = phi_430_;
+                if _e315 {
+                    phi_434_ = _e265;
+                } else {
+                    phi_434_ = _e313;
+                }
+                let _e317 = phi_434_;
+                let _e318 = (_e264 - _e291);
+                let _e319 = (_e265 - _e317);
+                let _e328 = select(0i, select(select(i32(_e291), i32(-2147483648), (_e291 < bitcast<f32>(3472883712u))), 2147483647i, (_e291 > bitcast<f32>(1325400063u))), (_e291 == _e291));
+                let _e337 = select(0i, select(select(i32(_e317), i32(-2147483648), (_e317 < bitcast<f32>(3472883712u))), 2147483647i, (_e317 > bitcast<f32>(1325400063u))), (_e317 == _e317));
+                let _e340 = ((1f - _e318) * (1f - _e319));
+                let _e342 = (_e318 * (1f - _e319));
+                let _e344 = ((1f - _e318) * _e319);
+                let _e345 = (_e318 * _e319);
+                let _e347 = p.member.test;
+                let _e348 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e347);
+                let _e350 = p.member.map_size;
+                local = _e348;
+                let _e352 = (bitcast<i32>(_e350) - 1i);
+                if (_e328 > 0i) {
+                    phi_480_ = _e328;
+                } else {
+                    phi_480_ = 0i;
+                }
+                let _e355 = phi_480_;
+                if (_e337 > 0i) {
+                    phi_485_ = _e337;
+                } else {
+                    phi_485_ = 0i;
+                }
+                let _e358 = phi_485_;
+                if (_e355 < _e352) {
+                    phi_490_ = _e355;
+                } else {
+                    phi_490_ = _e352;
+                }
+                let _e361 = phi_490_;
+                if (_e358 < _e352) {
+                    phi_495_ = _e358;
+                } else {
+                    phi_495_ = _e352;
+                }
+                let _e364 = phi_495_;
+                let _e365 = bitcast<u32>(_e361);
+                let _e367 = (_e328 + 1i);
+                let _e368 = (_e337 + 1i);
+                if (_e367 > 0i) {
+                    phi_504_ = _e367;
+                } else {
+                    phi_504_ = 0i;
+                }
+                let _e371 = phi_504_;
+                if (_e368 > 0i) {
+                    phi_509_ = _e368;
+                } else {
+                    phi_509_ = 0i;
+                }
+                let _e374 = phi_509_;
+                if (_e371 < _e352) {
+                    phi_514_ = _e371;
+                } else {
+                    phi_514_ = _e352;
+                }
+                let _e377 = phi_514_;
+                if (_e374 < _e352) {
+                    phi_519_ = _e374;
+                } else {
+                    phi_519_ = _e352;
+                }
+                let _e380 = phi_519_;
+                let _e381 = bitcast<u32>(_e377);
+                let _e383 = (bitcast<u32>(_e364) * _e350);
+                let _e384 = (bitcast<u32>(_e380) * _e350);
+                let _e385 = (_e383 + _e365);
+                let _e386 = (_e383 + _e381);
+                let _e387 = (_e384 + _e365);
+                let _e388 = (_e384 + _e381);
+                if (_e385 < _e41) {
                 } else {
                     return;
                 }
-                let _e300 = map.member[(0u + _e295[0])];
-                if (_e295[1] < _e38) {
+                let _e392 = map.member[(0u + _e385)];
+                if (_e386 < _e41) {
                 } else {
                     return;
                 }
-                let _e313 = map.member[(0u + _e295[1])];
-                if (_e295[2] < _e38) {
+                let _e404 = map.member[(0u + _e386)];
+                if (_e387 < _e41) {
                 } else {
                     return;
                 }
-                let _e330 = map.member[(0u + _e295[2])];
-                if (_e295[3] < _e38) {
+                let _e420 = map.member[(0u + _e387)];
+                if (_e388 < _e41) {
                 } else {
                     return;
                 }
-                let _e347 = map.member[(0u + _e295[3])];
-                let _e361 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e300.x * _e284) + (_e313.x * _e286)) + (_e330.x * _e288)) + (_e347.x * _e289)), ((((_e300.y * _e284) + (_e313.y * _e286)) + (_e330.y * _e288)) + (_e347.y * _e289)), ((((_e300.z * _e284) + (_e313.z * _e286)) + (_e330.z * _e288)) + (_e347.z * _e289)), ((((_e300.w * _e284) + (_e313.w * _e286)) + (_e330.w * _e288)) + (_e347.w * _e289))), _e219);
-                phi_567_ = evaluate_Verdict(_e361, false);
-                phi_568_ = evaluate_Verdict();
-                phi_569_ = false;
+                let _e436 = map.member[(0u + _e388)];
+                let _e450 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e392.x * _e340) + (_e404.x * _e342)) + (_e420.x * _e344)) + (_e436.x * _e345)), ((((_e392.y * _e340) + (_e404.y * _e342)) + (_e420.y * _e344)) + (_e436.y * _e345)), ((((_e392.z * _e340) + (_e404.z * _e342)) + (_e420.z * _e344)) + (_e436.z * _e345)), ((((_e392.w * _e340) + (_e404.w * _e342)) + (_e420.w * _e344)) + (_e436.w * _e345))), _e231);
+                phi_604_ = evaluate_Verdict(_e450, false);
+                phi_605_ = evaluate_Verdict();
+                phi_606_ = false;
             } else {
-                phi_567_ = evaluate_Verdict();
-                phi_568_ = evaluate_Verdict(1f, false);
-                phi_569_ = true;
+                phi_604_ = evaluate_Verdict();
+                phi_605_ = evaluate_Verdict(1f, false);
+                phi_606_ = true;
             }
-            let _e365 = phi_567_;
-            let _e367 = phi_568_;
-            let _e369 = phi_569_;
-            phi_570_ = _e367;
-            phi_571_ = _e365;
-            phi_572_ = _e369;
+            let _e454 = phi_604_;
+            let _e456 = phi_605_;
+            let _e458 = phi_606_;
+            phi_607_ = _e456;
+            phi_608_ = _e454;
+            phi_609_ = _e458;
         }
-        let _e371 = phi_570_;
-        let _e373 = phi_571_;
-        let _e375 = phi_572_;
-        if _e375 {
-            phi_576_ = _e371;
+        let _e460 = phi_607_;
+        let _e462 = phi_608_;
+        let _e464 = phi_609_;
+        if _e464 {
+            phi_613_ = _e460;
         } else {
-            phi_576_ = _e373;
+            phi_613_ = _e462;
         }
-        let _e377 = phi_576_;
-        if (_e47.first_primitive < arrayLength((&visibility.member))) {
+        let _e466 = phi_613_;
+        if (_e50.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e47.first_primitive)] = _e377.visibility;
+        visibility.member[(0u + _e50.first_primitive)] = _e466.visibility;
     }
     return;
 }

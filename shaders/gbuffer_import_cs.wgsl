@@ -45,109 +45,64 @@ var positions: texture_2d<f32>;
 var normals: texture_2d<f32>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_84_: lt_bvh_traverse_Tree;
+    var phi_85_: bool;
     var phi_86_: lt_bvh_traverse_Tree;
     var phi_87_: bool;
-    var phi_88_: lt_bvh_traverse_Tree;
-    var phi_89_: bool;
-    var phi_94_: lt_bvh_traverse_Tree;
+    var phi_92_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_86_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_87_ = false;
+            phi_84_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_85_ = false;
         } else {
-            phi_86_ = lt_bvh_traverse_Tree();
-            phi_87_ = true;
+            phi_84_ = lt_bvh_traverse_Tree();
+            phi_85_ = true;
         }
-        let _e33 = phi_86_;
-        let _e35 = phi_87_;
-        phi_88_ = _e33;
-        phi_89_ = _e35;
+        let _e33 = phi_84_;
+        let _e35 = phi_85_;
+        phi_86_ = _e33;
+        phi_87_ = _e35;
     } else {
-        phi_88_ = lt_bvh_traverse_Tree();
-        phi_89_ = true;
+        phi_86_ = lt_bvh_traverse_Tree();
+        phi_87_ = true;
     }
-    let _e37 = phi_88_;
-    let _e39 = phi_89_;
+    let _e37 = phi_86_;
+    let _e39 = phi_87_;
     if _e39 {
-        phi_94_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_92_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_94_ = _e37;
+        phi_92_ = _e37;
     }
-    let _e44 = phi_94_;
+    let _e44 = phi_92_;
     return lt_bvh_traverse_Tree(_e44.root, _e44.first_primitive);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_3: f32, param_4: f32) -> f32 {
-    var phi_105_: f32;
+    var phi_103_: f32;
 
     if (param_3 > param_4) {
-        phi_105_ = param_3;
+        phi_103_ = param_3;
     } else {
-        phi_105_ = param_4;
+        phi_103_ = param_4;
     }
-    let _e24 = phi_105_;
+    let _e24 = phi_103_;
     return _e24;
 }
 
-fn lt_shaders_gbuffer_sample_from_texels(param_5: vec4<f32>, param_6: vec4<f32>) -> abi_Sample {
-    var phi_163_: f32;
-    var phi_186_: bool;
-    var phi_187_: bool;
-    var phi_188_: bool;
-    var phi_189_: bool;
-    var phi_193_: bool;
-    var phi_201_: vec3<f32>;
-
-    let _e29 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(param_5.y), abs(param_5.z));
-    let _e30 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(param_5.x), _e29);
-    if (param_5.w > _e30) {
-        phi_163_ = param_5.w;
-    } else {
-        phi_163_ = _e30;
-    }
-    let _e35 = phi_163_;
-    let _e44 = global[0u];
-    if (param_6.x == _e44) {
-        let _e47 = global[1u];
-        if (param_6.y == _e47) {
-            let _e50 = global[2u];
-            phi_186_ = (param_6.z == _e50);
-            phi_187_ = false;
-        } else {
-            phi_186_ = bool();
-            phi_187_ = true;
-        }
-        let _e53 = phi_186_;
-        let _e55 = phi_187_;
-        phi_188_ = _e53;
-        phi_189_ = _e55;
-    } else {
-        phi_188_ = bool();
-        phi_189_ = true;
-    }
-    let _e57 = phi_188_;
-    let _e59 = phi_189_;
-    if _e59 {
-        phi_193_ = false;
-    } else {
-        phi_193_ = _e57;
-    }
-    let _e61 = phi_193_;
-    if _e61 {
-        phi_201_ = vec3<f32>(0f, 1f, 0f);
-    } else {
-        phi_201_ = vec3<f32>(param_6.x, param_6.y, param_6.z);
-    }
-    let _e67 = phi_201_;
-    return abi_Sample(vec3<f32>(param_5.x, param_5.y, param_5.z), _e35, vec3<f32>(param_6.x, param_6.y, param_6.z), 1u, _e67, 16777215u);
-}
-
-fn _glam_f32_scalar_vec4_Vec4_u0020_as_u0020_spirv_std_vector_VectorTruncateInto_glam_f32_scalar_vec4_Vec4_truncate_into(param_7: vec4<f32>) -> vec4<f32> {
-    return param_7;
+fn _glam_f32_scalar_vec4_Vec4_u0020_as_u0020_spirv_std_vector_VectorTruncateInto_glam_f32_scalar_vec4_Vec4_truncate_into(param_5: vec4<f32>) -> vec4<f32> {
+    return param_5;
 }
 
 fn function_() {
+    var phi_149_: f32;
+    var phi_172_: bool;
+    var phi_173_: bool;
+    var phi_174_: bool;
+    var phi_175_: bool;
+    var phi_179_: bool;
+    var phi_187_: vec3<f32>;
+
     let _e20 = id_1;
     let _e27 = p.member.size[0u];
     let _e29 = p.member.size[1u];
@@ -157,12 +112,52 @@ fn function_() {
         let _e39 = _glam_f32_scalar_vec4_Vec4_u0020_as_u0020_spirv_std_vector_VectorTruncateInto_glam_f32_scalar_vec4_Vec4_truncate_into(_e38);
         let _e43 = textureLoad(normals, vec2<u32>(_e20.x, _e20.y), 0u);
         let _e44 = _glam_f32_scalar_vec4_Vec4_u0020_as_u0020_spirv_std_vector_VectorTruncateInto_glam_f32_scalar_vec4_Vec4_truncate_into(_e43);
-        let _e45 = lt_shaders_gbuffer_sample_from_texels(_e39, _e44);
+        let _e52 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e39.y), abs(_e39.z));
+        let _e53 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e39.x), _e52);
+        if (_e39.w > _e53) {
+            phi_149_ = _e39.w;
+        } else {
+            phi_149_ = _e53;
+        }
+        let _e58 = phi_149_;
+        let _e67 = global[0u];
+        if (_e44.x == _e67) {
+            let _e70 = global[1u];
+            if (_e44.y == _e70) {
+                let _e73 = global[2u];
+                phi_172_ = (_e44.z == _e73);
+                phi_173_ = false;
+            } else {
+                phi_172_ = bool();
+                phi_173_ = true;
+            }
+            let _e76 = phi_172_;
+            let _e78 = phi_173_;
+            phi_174_ = _e76;
+            phi_175_ = _e78;
+        } else {
+            phi_174_ = bool();
+            phi_175_ = true;
+        }
+        let _e80 = phi_174_;
+        let _e82 = phi_175_;
+        if _e82 {
+            phi_179_ = false;
+        } else {
+            phi_179_ = _e80;
+        }
+        let _e84 = phi_179_;
+        if _e84 {
+            phi_187_ = vec3<f32>(0f, 1f, 0f);
+        } else {
+            phi_187_ = vec3<f32>(_e44.x, _e44.y, _e44.z);
+        }
+        let _e90 = phi_187_;
         if (_e30.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e30.first_primitive)] = _e45;
+        samples.member[(0u + _e30.first_primitive)] = abi_Sample(vec3<f32>(_e39.x, _e39.y, _e39.z), _e58, vec3<f32>(_e44.x, _e44.y, _e44.z), 1u, _e90, 16777215u);
     }
     return;
 }

@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -28,11 +20,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -47,11 +47,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -75,11 +75,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_44 {
+struct type_39 {
     member: array<abi_Sample>,
 }
 
-struct type_48 {
+struct type_43 {
     member: array<f32>,
 }
 
@@ -104,15 +104,8 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_59 {
+struct type_54 {
     member: array<lt_bvh_Node>,
-}
-
-struct lt_bvh_Ray {
-    origin: vec3<f32>,
-    tmin: f32,
-    direction: vec3<f32>,
-    tmax: f32,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -140,7 +133,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_66 {
+struct type_62 {
     member: abi_ShadowParams,
 }
 
@@ -156,1756 +149,1979 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_44;
+var<storage> samples: type_39;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_22;
+var<storage> alpha_texels: type_20;
 @group(0) @binding(0) 
-var<uniform> p: type_66;
+var<uniform> p: type_62;
 @group(0) @binding(2) 
-var<storage> nodes: type_59;
+var<storage> nodes: type_54;
 @group(0) @binding(3) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_48;
+var<storage, read_write> visibility: type_43;
 @group(0) @binding(5) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(6) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e78 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e78), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e78), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e78), (f32((param >> bitcast<u32>(24i))) * _e78));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_239_: f32;
+    var phi_244_: f32;
+    var phi_245_: bool;
+    var phi_246_: f32;
+    var phi_247_: bool;
+    var phi_251_: f32;
+    var phi_277_: f32;
+    var phi_282_: f32;
+    var phi_283_: bool;
+    var phi_284_: f32;
+    var phi_285_: bool;
+    var phi_289_: f32;
+    var phi_297_: f32;
+    var phi_298_: f32;
+    var phi_299_: f32;
+    var phi_308_: f32;
+    var phi_309_: f32;
+    var phi_327_: u32;
+    var phi_341_: u32;
+    var phi_348_: u32;
+    var phi_353_: u32;
+    var phi_359_: u32;
+    var phi_364_: u32;
+    var phi_366_: texture_Axis;
+    var phi_394_: f32;
+    var phi_399_: f32;
+    var phi_400_: bool;
+    var phi_401_: f32;
+    var phi_402_: bool;
+    var phi_406_: f32;
+    var phi_432_: f32;
+    var phi_437_: f32;
+    var phi_438_: bool;
+    var phi_439_: f32;
+    var phi_440_: bool;
+    var phi_444_: f32;
+    var phi_452_: f32;
+    var phi_453_: f32;
+    var phi_454_: f32;
+    var phi_463_: f32;
+    var phi_464_: f32;
+    var phi_482_: u32;
+    var phi_496_: u32;
+    var phi_503_: u32;
+    var phi_508_: u32;
+    var phi_514_: u32;
+    var phi_519_: u32;
+    var phi_521_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e68 = (*param_1)[0u].color;
-    let _e69 = lt_shaders_texture_unorm_bytes(_e68);
-    let _e81 = (*param_1)[1u].color;
-    let _e82 = lt_shaders_texture_unorm_bytes(_e81);
-    let _e98 = (*param_1)[2u].color;
-    let _e99 = lt_shaders_texture_unorm_bytes(_e98);
-    return vec4<f32>((((_e69.x * param_2.x) + (_e82.x * param_2.y)) + (_e99.x * param_2.z)), (((_e69.y * param_2.x) + (_e82.y * param_2.y)) + (_e99.y * param_2.z)), (((_e69.z * param_2.x) + (_e82.z * param_2.y)) + (_e99.z * param_2.z)), (((_e69.w * param_2.x) + (_e82.w * param_2.y)) + (_e99.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e68 = (*param_3)[0u].u;
-    let _e71 = (*param_3)[0u].v;
-    let _e77 = (*param_3)[1u].u;
-    let _e80 = (*param_3)[1u].v;
-    let _e88 = (*param_3)[2u].u;
-    let _e91 = (*param_3)[2u].v;
-    return vec2<f32>((((_e68 * param_4.x) + (_e77 * param_4.y)) + (_e88 * param_4.z)), (((_e71 * param_4.x) + (_e80 * param_4.y)) + (_e91 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_475_: f32;
-    var phi_476_: f32;
-    var phi_477_: f32;
-    var phi_486_: f32;
-    var phi_487_: f32;
-
-    if (param_6 == 0u) {
-        phi_477_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e73 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e73 > 1f) {
-                phi_475_ = (2f - _e73);
+    let _e72 = (*param).size;
+    let _e73 = (_e72 & 65535u);
+    let _e75 = (*param).size;
+    let _e77 = (_e75 >> bitcast<u32>(16i));
+    let _e79 = (*param).flags;
+    let _e81 = ((_e79 & 4u) != 0u);
+    let _e83 = (*param).flags;
+    let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
+    if (_e86 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e99 > param_1) {
+                phi_239_ = 1f;
             } else {
-                phi_475_ = _e73;
+                phi_239_ = 0f;
             }
-            let _e77 = phi_475_;
-            phi_476_ = _e77;
+            let _e102 = phi_239_;
+            if (param_1 < 8388608f) {
+                phi_244_ = (_e99 - _e102);
+                phi_245_ = false;
+            } else {
+                phi_244_ = f32();
+                phi_245_ = true;
+            }
+            let _e105 = phi_244_;
+            let _e107 = phi_245_;
+            phi_246_ = _e105;
+            phi_247_ = _e107;
         } else {
-            phi_476_ = param_5;
+            phi_246_ = f32();
+            phi_247_ = true;
         }
-        let _e79 = phi_476_;
-        phi_477_ = _e79;
-    }
-    let _e81 = phi_477_;
-    if (_e81 > 0f) {
-        if (_e81 < 1f) {
-            phi_486_ = _e81;
+        let _e109 = phi_246_;
+        let _e111 = phi_247_;
+        if _e111 {
+            phi_251_ = param_1;
         } else {
-            phi_486_ = 1f;
+            phi_251_ = _e109;
         }
-        let _e85 = phi_486_;
-        phi_487_ = _e85;
+        let _e113 = phi_251_;
+        phi_299_ = (param_1 - _e113);
     } else {
-        phi_487_ = 0f;
+        if (_e86 == 1u) {
+            let _e116 = (param_1 * 0.5f);
+            if (_e116 > -8388608f) {
+                let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
+                if (_e128 > _e116) {
+                    phi_277_ = 1f;
+                } else {
+                    phi_277_ = 0f;
+                }
+                let _e131 = phi_277_;
+                if (_e116 < 8388608f) {
+                    phi_282_ = (_e128 - _e131);
+                    phi_283_ = false;
+                } else {
+                    phi_282_ = f32();
+                    phi_283_ = true;
+                }
+                let _e134 = phi_282_;
+                let _e136 = phi_283_;
+                phi_284_ = _e134;
+                phi_285_ = _e136;
+            } else {
+                phi_284_ = f32();
+                phi_285_ = true;
+            }
+            let _e138 = phi_284_;
+            let _e140 = phi_285_;
+            if _e140 {
+                phi_289_ = _e116;
+            } else {
+                phi_289_ = _e138;
+            }
+            let _e142 = phi_289_;
+            let _e144 = (param_1 - (2f * _e142));
+            if (_e144 > 1f) {
+                phi_297_ = (2f - _e144);
+            } else {
+                phi_297_ = _e144;
+            }
+            let _e148 = phi_297_;
+            phi_298_ = _e148;
+        } else {
+            phi_298_ = param_1;
+        }
+        let _e150 = phi_298_;
+        phi_299_ = _e150;
     }
-    let _e87 = phi_487_;
-    return _e87;
+    let _e152 = phi_299_;
+    if (_e152 > 0f) {
+        if (_e152 < 1f) {
+            phi_308_ = _e152;
+        } else {
+            phi_308_ = 1f;
+        }
+        let _e156 = phi_308_;
+        phi_309_ = _e156;
+    } else {
+        phi_309_ = 0f;
+    }
+    let _e158 = phi_309_;
+    let _e159 = (_e73 - 1u);
+    let _e161 = (_e158 * f32(_e73));
+    if _e81 {
+        let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
+        if (_e159 < _e168) {
+            phi_327_ = _e159;
+        } else {
+            phi_327_ = _e168;
+        }
+        let _e171 = phi_327_;
+        phi_366_ = texture_Axis(_e171, _e171, 0f);
+    } else {
+        let _e173 = (_e161 + 0.5f);
+        let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
+        if (_e73 < _e180) {
+            phi_341_ = _e73;
+        } else {
+            phi_341_ = _e180;
+        }
+        let _e183 = phi_341_;
+        if (_e86 == 0u) {
+            phi_348_ = _e159;
+        } else {
+            phi_348_ = 0u;
+        }
+        let _e188 = phi_348_;
+        if (_e86 == 0u) {
+            phi_353_ = 0u;
+        } else {
+            phi_353_ = _e159;
+        }
+        let _e191 = phi_353_;
+        if (_e183 == 0u) {
+            phi_359_ = _e188;
+        } else {
+            phi_359_ = (_e183 - 1u);
+        }
+        let _e195 = phi_359_;
+        if (_e183 > _e159) {
+            phi_364_ = _e191;
+        } else {
+            phi_364_ = _e183;
+        }
+        let _e198 = phi_364_;
+        phi_366_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+    }
+    let _e201 = phi_366_;
+    let _e203 = (*param).flags;
+    let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
+    if (_e206 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e219 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e219 > param_2) {
+                phi_394_ = 1f;
+            } else {
+                phi_394_ = 0f;
+            }
+            let _e222 = phi_394_;
+            if (param_2 < 8388608f) {
+                phi_399_ = (_e219 - _e222);
+                phi_400_ = false;
+            } else {
+                phi_399_ = f32();
+                phi_400_ = true;
+            }
+            let _e225 = phi_399_;
+            let _e227 = phi_400_;
+            phi_401_ = _e225;
+            phi_402_ = _e227;
+        } else {
+            phi_401_ = f32();
+            phi_402_ = true;
+        }
+        let _e229 = phi_401_;
+        let _e231 = phi_402_;
+        if _e231 {
+            phi_406_ = param_2;
+        } else {
+            phi_406_ = _e229;
+        }
+        let _e233 = phi_406_;
+        phi_454_ = (param_2 - _e233);
+    } else {
+        if (_e206 == 1u) {
+            let _e236 = (param_2 * 0.5f);
+            if (_e236 > -8388608f) {
+                let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
+                if (_e248 > _e236) {
+                    phi_432_ = 1f;
+                } else {
+                    phi_432_ = 0f;
+                }
+                let _e251 = phi_432_;
+                if (_e236 < 8388608f) {
+                    phi_437_ = (_e248 - _e251);
+                    phi_438_ = false;
+                } else {
+                    phi_437_ = f32();
+                    phi_438_ = true;
+                }
+                let _e254 = phi_437_;
+                let _e256 = phi_438_;
+                phi_439_ = _e254;
+                phi_440_ = _e256;
+            } else {
+                phi_439_ = f32();
+                phi_440_ = true;
+            }
+            let _e258 = phi_439_;
+            let _e260 = phi_440_;
+            if _e260 {
+                phi_444_ = _e236;
+            } else {
+                phi_444_ = _e258;
+            }
+            let _e262 = phi_444_;
+            let _e264 = (param_2 - (2f * _e262));
+            if (_e264 > 1f) {
+                phi_452_ = (2f - _e264);
+            } else {
+                phi_452_ = _e264;
+            }
+            let _e268 = phi_452_;
+            phi_453_ = _e268;
+        } else {
+            phi_453_ = param_2;
+        }
+        let _e270 = phi_453_;
+        phi_454_ = _e270;
+    }
+    let _e272 = phi_454_;
+    if (_e272 > 0f) {
+        if (_e272 < 1f) {
+            phi_463_ = _e272;
+        } else {
+            phi_463_ = 1f;
+        }
+        let _e276 = phi_463_;
+        phi_464_ = _e276;
+    } else {
+        phi_464_ = 0f;
+    }
+    let _e278 = phi_464_;
+    let _e279 = (_e77 - 1u);
+    let _e281 = (_e278 * f32(_e77));
+    if _e81 {
+        let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
+        if (_e279 < _e288) {
+            phi_482_ = _e279;
+        } else {
+            phi_482_ = _e288;
+        }
+        let _e291 = phi_482_;
+        phi_521_ = texture_Axis(_e291, _e291, 0f);
+    } else {
+        let _e293 = (_e281 + 0.5f);
+        let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
+        if (_e77 < _e300) {
+            phi_496_ = _e77;
+        } else {
+            phi_496_ = _e300;
+        }
+        let _e303 = phi_496_;
+        if (_e206 == 0u) {
+            phi_503_ = _e279;
+        } else {
+            phi_503_ = 0u;
+        }
+        let _e308 = phi_503_;
+        if (_e206 == 0u) {
+            phi_508_ = 0u;
+        } else {
+            phi_508_ = _e279;
+        }
+        let _e311 = phi_508_;
+        if (_e303 == 0u) {
+            phi_514_ = _e308;
+        } else {
+            phi_514_ = (_e303 - 1u);
+        }
+        let _e315 = phi_514_;
+        if (_e303 > _e279) {
+            phi_519_ = _e311;
+        } else {
+            phi_519_ = _e303;
+        }
+        let _e318 = phi_519_;
+        phi_521_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+    }
+    let _e321 = phi_521_;
+    let _e325 = (*param).offset;
+    let _e332 = (*param).offset;
+    let _e339 = (*param).offset;
+    let _e346 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
 }
 
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_413_: u32;
-    var phi_427_: u32;
-    var phi_434_: u32;
-    var phi_439_: u32;
-    var phi_445_: u32;
-    var phi_450_: u32;
-    var phi_452_: texture_Axis;
+fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
+    var phi_588_: lt_bvh_traverse_Tree;
+    var phi_589_: bool;
+    var phi_590_: lt_bvh_traverse_Tree;
+    var phi_591_: bool;
+    var phi_596_: lt_bvh_traverse_Tree;
 
-    let _e68 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e69 = (param_8 - 1u);
-    let _e71 = (_e68 * f32(param_8));
-    if param_10 {
-        let _e78 = select(select(u32(_e71), 0u, (_e71 < bitcast<f32>(0u))), 4294967295u, (_e71 > bitcast<f32>(1333788671u)));
-        if (_e69 < _e78) {
-            phi_413_ = _e69;
+    if (param_3.x < param_4) {
+        if (param_3.y < param_5) {
+            phi_588_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
+            phi_589_ = false;
         } else {
-            phi_413_ = _e78;
+            phi_588_ = lt_bvh_traverse_Tree();
+            phi_589_ = true;
         }
-        let _e81 = phi_413_;
-        phi_452_ = texture_Axis(_e81, _e81, 0f);
+        let _e81 = phi_588_;
+        let _e83 = phi_589_;
+        phi_590_ = _e81;
+        phi_591_ = _e83;
     } else {
-        let _e83 = (_e71 + 0.5f);
-        let _e90 = select(select(u32(_e83), 0u, (_e83 < bitcast<f32>(0u))), 4294967295u, (_e83 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e90) {
-            phi_427_ = param_8;
-        } else {
-            phi_427_ = _e90;
-        }
-        let _e93 = phi_427_;
-        if (param_9 == 0u) {
-            phi_434_ = _e69;
-        } else {
-            phi_434_ = 0u;
-        }
-        let _e98 = phi_434_;
-        if (param_9 == 0u) {
-            phi_439_ = 0u;
-        } else {
-            phi_439_ = _e69;
-        }
-        let _e101 = phi_439_;
-        if (_e93 == 0u) {
-            phi_445_ = _e98;
-        } else {
-            phi_445_ = (_e93 - 1u);
-        }
-        let _e105 = phi_445_;
-        if (_e93 > _e69) {
-            phi_450_ = _e101;
-        } else {
-            phi_450_ = _e93;
-        }
-        let _e108 = phi_450_;
-        phi_452_ = texture_Axis(_e105, _e108, (_e83 - f32(_e93)));
+        phi_590_ = lt_bvh_traverse_Tree();
+        phi_591_ = true;
     }
-    let _e111 = phi_452_;
-    return _e111;
+    let _e85 = phi_590_;
+    let _e87 = phi_591_;
+    if _e87 {
+        phi_596_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_596_ = _e85;
+    }
+    let _e92 = phi_596_;
+    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e68 = (*param_11).size;
-    let _e69 = (_e68 & 65535u);
-    let _e71 = (*param_11).size;
-    let _e75 = (*param_11).flags;
-    let _e77 = ((_e75 & 4u) != 0u);
-    let _e79 = (*param_11).flags;
-    let _e83 = lt_shaders_texture_axis(param_12, _e69, ((_e79 >> bitcast<u32>(4u)) & 3u), _e77);
-    let _e85 = (*param_11).flags;
-    let _e89 = lt_shaders_texture_axis(param_13, (_e71 >> bitcast<u32>(16i)), ((_e85 >> bitcast<u32>(6u)) & 3u), _e77);
-    let _e93 = (*param_11).offset;
-    let _e100 = (*param_11).offset;
-    let _e107 = (*param_11).offset;
-    let _e114 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e93 + (_e89.low * _e69)) + _e83.low), ((_e100 + (_e89.low * _e69)) + _e83.high), ((_e107 + (_e89.high * _e69)) + _e83.low), ((_e114 + (_e89.high * _e69)) + _e83.high)), vec4<f32>(((1f - _e83.fraction) * (1f - _e89.fraction)), (_e83.fraction * (1f - _e89.fraction)), ((1f - _e83.fraction) * _e89.fraction), (_e83.fraction * _e89.fraction)));
+fn core_intrinsics_maximum_number_nsz_f32_(param_6: f32, param_7: f32) -> f32 {
+    var phi_611_: bool;
+    var phi_615_: f32;
+
+    if (param_6 != param_6) {
+        phi_611_ = true;
+    } else {
+        let _e71 = (param_7 >= param_6);
+        if _e71 {
+        }
+        phi_611_ = _e71;
+    }
+    let _e73 = phi_611_;
+    if _e73 {
+        phi_615_ = param_7;
+    } else {
+        phi_615_ = param_6;
+    }
+    let _e75 = phi_615_;
+    return _e75;
 }
 
-fn lt_shaders_entry_pixel_index(param_14: vec3<u32>, param_15: u32, param_16: u32) -> lt_bvh_traverse_Tree {
-    var phi_507_: lt_bvh_traverse_Tree;
-    var phi_508_: bool;
-    var phi_509_: lt_bvh_traverse_Tree;
-    var phi_510_: bool;
-    var phi_515_: lt_bvh_traverse_Tree;
+fn core_intrinsics_minimum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
+    var phi_627_: bool;
+    var phi_631_: f32;
 
-    if (param_14.x < param_15) {
-        if (param_14.y < param_16) {
-            phi_507_ = lt_bvh_traverse_Tree(1u, ((param_14.y * param_15) + param_14.x));
-            phi_508_ = false;
+    if (param_8 != param_8) {
+        phi_627_ = true;
+    } else {
+        let _e71 = (param_9 <= param_8);
+        if _e71 {
+        }
+        phi_627_ = _e71;
+    }
+    let _e73 = phi_627_;
+    if _e73 {
+        phi_631_ = param_9;
+    } else {
+        phi_631_ = param_8;
+    }
+    let _e75 = phi_631_;
+    return _e75;
+}
+
+fn _lt_shaders_abi_Sample_is_valid(param_10: ptr<function, abi_Sample>) -> bool {
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_663_: bool;
+
+    let _e71 = (*param_10).normal[0u];
+    let _e73 = global[0u];
+    if (_e71 == _e73) {
+        let _e76 = (*param_10).normal[1u];
+        let _e78 = global[1u];
+        if (_e76 == _e78) {
+            let _e81 = (*param_10).normal[2u];
+            let _e83 = global[2u];
+            phi_656_ = (_e81 == _e83);
+            phi_657_ = false;
         } else {
-            phi_507_ = lt_bvh_traverse_Tree();
-            phi_508_ = true;
+            phi_656_ = bool();
+            phi_657_ = true;
         }
-        let _e77 = phi_507_;
-        let _e79 = phi_508_;
-        phi_509_ = _e77;
-        phi_510_ = _e79;
+        let _e86 = phi_656_;
+        let _e88 = phi_657_;
+        phi_658_ = _e86;
+        phi_659_ = _e88;
     } else {
-        phi_509_ = lt_bvh_traverse_Tree();
-        phi_510_ = true;
+        phi_658_ = bool();
+        phi_659_ = true;
     }
-    let _e81 = phi_509_;
-    let _e83 = phi_510_;
-    if _e83 {
-        phi_515_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e90 = phi_658_;
+    let _e92 = phi_659_;
+    if _e92 {
+        phi_663_ = false;
     } else {
-        phi_515_ = _e81;
+        phi_663_ = _e90;
     }
-    let _e88 = phi_515_;
-    return lt_bvh_traverse_Tree(_e88.root, _e88.first_primitive);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_17: f32, param_18: f32) -> f32 {
-    var phi_530_: bool;
-    var phi_534_: f32;
-
-    if (param_17 != param_17) {
-        phi_530_ = true;
-    } else {
-        let _e67 = (param_18 >= param_17);
-        if _e67 {
-        }
-        phi_530_ = _e67;
-    }
-    let _e69 = phi_530_;
-    if _e69 {
-        phi_534_ = param_18;
-    } else {
-        phi_534_ = param_17;
-    }
-    let _e71 = phi_534_;
-    return _e71;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_19: f32, param_20: f32) -> f32 {
-    var phi_546_: bool;
-    var phi_550_: f32;
-
-    if (param_19 != param_19) {
-        phi_546_ = true;
-    } else {
-        let _e67 = (param_20 <= param_19);
-        if _e67 {
-        }
-        phi_546_ = _e67;
-    }
-    let _e69 = phi_546_;
-    if _e69 {
-        phi_550_ = param_20;
-    } else {
-        phi_550_ = param_19;
-    }
-    let _e71 = phi_550_;
-    return _e71;
-}
-
-fn lt_shaders_surface_barycentric_weights(param_21: f32, param_22: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_21) - param_22), param_21, param_22);
-}
-
-fn lt_shaders_evaluate_to_light(param_23: vec3<f32>, param_24: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_24.x - (param_23.x * param_24.w)), (param_24.y - (param_23.y * param_24.w)), (param_24.z - (param_23.z * param_24.w)));
-}
-
-fn _lt_shaders_abi_Sample_is_valid(param_25: ptr<function, abi_Sample>) -> bool {
-    var phi_623_: bool;
-    var phi_624_: bool;
-    var phi_625_: bool;
-    var phi_626_: bool;
-    var phi_630_: bool;
-
-    let _e67 = (*param_25).normal[0u];
-    let _e69 = global[0u];
-    if (_e67 == _e69) {
-        let _e72 = (*param_25).normal[1u];
-        let _e74 = global[1u];
-        if (_e72 == _e74) {
-            let _e77 = (*param_25).normal[2u];
-            let _e79 = global[2u];
-            phi_623_ = (_e77 == _e79);
-            phi_624_ = false;
-        } else {
-            phi_623_ = bool();
-            phi_624_ = true;
-        }
-        let _e82 = phi_623_;
-        let _e84 = phi_624_;
-        phi_625_ = _e82;
-        phi_626_ = _e84;
-    } else {
-        phi_625_ = bool();
-        phi_626_ = true;
-    }
-    let _e86 = phi_625_;
-    let _e88 = phi_626_;
-    if _e88 {
-        phi_630_ = false;
-    } else {
-        phi_630_ = _e86;
-    }
-    let _e90 = phi_630_;
-    return !(_e90);
-}
-
-fn lt_shaders_evaluate_settle(param_26: ptr<function, abi_Sample>, param_27: vec4<f32>) -> u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    var phi_594_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_598_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-
-    let _e66 = _lt_shaders_abi_Sample_is_valid(param_26);
-    if _e66 {
-        let _e68 = (*param_26).normal;
-        let _e70 = (*param_26).position;
-        let _e71 = lt_shaders_evaluate_to_light(_e70, param_27);
-        if ((((_e68.x * _e71.x) + (_e68.y * _e71.y)) + (_e68.z * _e71.z)) > 0f) {
-            let _e85 = (*param_26).flags;
-            let _e93 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e99 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e93.unnamed.visibility, false), _e93.unnamed_1);
-            phi_594_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e99.unnamed, ((_e85 & 1u) == 0u));
-        } else {
-            let _e108 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e114 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e108.unnamed.visibility, false), _e108.unnamed_1);
-            phi_594_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e114.unnamed, true);
-        }
-        let _e119 = phi_594_;
-        phi_598_ = _e119;
-    } else {
-        let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-        let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-        phi_598_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, true);
-    }
-    let _e136 = phi_598_;
-    return _e136;
-}
-
-fn lt_shaders_resolve_shadow_ray(param_28: ptr<function, abi_Sample>, param_29: vec4<f32>) -> lt_bvh_Ray {
-    var phi_673_: f32;
-
-    let _e67 = (*param_28).position;
-    let _e69 = (*param_28).normal;
-    let _e71 = (*param_28).magnitude;
-    let _e73 = ((8f / 8388608f) * _e71);
-    let _e81 = (_e67 + vec3<f32>((_e69.x * _e73), (_e69.y * _e73), (_e69.z * _e73)));
-    if (param_29.w == 0f) {
-        phi_673_ = 300000000000000000000000000000000000000f;
-    } else {
-        phi_673_ = 1f;
-    }
-    let _e85 = phi_673_;
-    let _e86 = lt_shaders_evaluate_to_light(_e81, param_29);
-    return lt_bvh_Ray(_e81, 0f, _e86, _e85);
+    let _e94 = phi_663_;
+    return !(_e94);
 }
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<abi_Vertex, 3>;
-    var local_2: lt_bvh_traverse_Stack;
-    var local_3: abi_Sample;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_805_: bool;
-    var phi_806_: bool;
-    var phi_807_: bool;
-    var phi_808_: bool;
-    var phi_809_: bool;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_826_: bool;
-    var phi_830_: bool;
-    var phi_905_: f32;
-    var phi_912_: f32;
-    var phi_920_: f32;
-    var phi_927_: f32;
-    var phi_935_: f32;
-    var phi_942_: f32;
-    var phi_967_: f32;
-    var phi_972_: f32;
+    var local_1: lt_bvh_traverse_Stack;
+    var local_2: abi_Sample;
+    var phi_757_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_761_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_807_: f32;
+    var phi_862_: bool;
+    var phi_863_: bool;
+    var phi_864_: bool;
+    var phi_868_: bool;
+    var phi_869_: bool;
+    var phi_870_: bool;
+    var phi_871_: bool;
+    var phi_872_: bool;
+    var phi_873_: bool;
+    var phi_874_: bool;
+    var phi_875_: bool;
+    var phi_876_: bool;
+    var phi_877_: bool;
+    var phi_878_: bool;
+    var phi_879_: bool;
+    var phi_880_: bool;
+    var phi_881_: bool;
+    var phi_882_: bool;
+    var phi_883_: bool;
+    var phi_884_: bool;
+    var phi_885_: bool;
+    var phi_889_: bool;
+    var phi_893_: bool;
+    var phi_963_: f32;
+    var phi_970_: f32;
     var phi_977_: f32;
-    var phi_1010_: bool;
-    var phi_1011_: bool;
-    var phi_1019_: u32;
-    var phi_1020_: u32;
-    var phi_1038_: vec3<f32>;
-    var phi_1039_: vec3<f32>;
-    var phi_1053_: u32;
-    var phi_1058_: u32;
+    var phi_984_: f32;
+    var phi_991_: f32;
+    var phi_998_: f32;
+    var phi_1015_: f32;
+    var phi_1020_: f32;
+    var phi_1025_: f32;
+    var phi_1053_: bool;
+    var phi_1054_: bool;
+    var phi_1062_: u32;
     var phi_1063_: u32;
-    var phi_1177_: bool;
-    var phi_1178_: bool;
-    var phi_1209_: u32;
-    var phi_1211_: u32;
-    var phi_1297_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1324_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1351_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1357_: u32;
-    var phi_1360_: u32;
-    var phi_1374_: u32;
-    var phi_1384_: u32;
-    var phi_1394_: u32;
-    var phi_1412_: u32;
-    var phi_1422_: u32;
-    var phi_1432_: u32;
-    var phi_1468_: u32;
-    var phi_1481_: u32;
-    var phi_1486_: u32;
-    var phi_1487_: u32;
-    var phi_1488_: u32;
-    var phi_1358_: u32;
-    var phi_1361_: u32;
+    var phi_1074_: vec3<f32>;
+    var phi_1075_: vec3<f32>;
+    var phi_1088_: u32;
+    var phi_1093_: u32;
+    var phi_1098_: u32;
+    var phi_1212_: bool;
+    var phi_1213_: bool;
+    var phi_1244_: u32;
+    var phi_1246_: u32;
+    var phi_1327_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1354_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1381_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1387_: u32;
+    var phi_1390_: u32;
+    var phi_1404_: u32;
+    var phi_1414_: u32;
+    var phi_1424_: u32;
+    var phi_1442_: u32;
+    var phi_1452_: u32;
+    var phi_1462_: u32;
+    var phi_1498_: u32;
+    var phi_1511_: u32;
+    var phi_1516_: u32;
+    var phi_1517_: u32;
+    var phi_1518_: u32;
+    var phi_1388_: u32;
+    var phi_1391_: u32;
+    var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var local_6: u32;
-    var phi_1546_: u32;
-    var phi_1593_: vec3<f32>;
-    var phi_1594_: vec3<f32>;
-    var phi_1627_: vec3<f32>;
-    var phi_1628_: vec3<f32>;
-    var phi_1661_: vec3<f32>;
-    var phi_1662_: vec3<f32>;
-    var phi_1682_: bool;
-    var phi_1683_: bool;
-    var phi_1687_: f32;
-    var phi_1688_: f32;
-    var phi_1689_: f32;
-    var phi_1690_: f32;
-    var phi_1698_: f32;
-    var phi_1708_: bool;
-    var phi_1709_: bool;
+    var phi_1576_: u32;
+    var phi_1621_: vec3<f32>;
+    var phi_1622_: vec3<f32>;
+    var phi_1653_: vec3<f32>;
+    var phi_1654_: vec3<f32>;
+    var phi_1685_: vec3<f32>;
+    var phi_1686_: vec3<f32>;
+    var phi_1706_: bool;
+    var phi_1707_: bool;
+    var phi_1711_: f32;
+    var phi_1712_: f32;
     var phi_1713_: f32;
     var phi_1714_: f32;
-    var phi_1715_: f32;
-    var phi_1716_: f32;
-    var phi_1724_: f32;
-    var phi_1734_: bool;
-    var phi_1735_: bool;
+    var phi_1722_: f32;
+    var phi_1732_: bool;
+    var phi_1733_: bool;
+    var phi_1737_: f32;
+    var phi_1738_: f32;
     var phi_1739_: f32;
     var phi_1740_: f32;
-    var phi_1741_: f32;
-    var phi_1742_: f32;
-    var phi_1750_: f32;
+    var phi_1748_: f32;
+    var phi_1758_: bool;
+    var phi_1759_: bool;
+    var phi_1763_: f32;
+    var phi_1764_: f32;
     var phi_1765_: f32;
-    var phi_1766_: bool;
-    var phi_1767_: f32;
-    var phi_1768_: bool;
-    var phi_1769_: f32;
-    var phi_1770_: bool;
-    var phi_1788_: f32;
-    var phi_1789_: bool;
+    var phi_1766_: f32;
+    var phi_1774_: f32;
+    var phi_1789_: f32;
     var phi_1790_: bool;
     var phi_1791_: f32;
     var phi_1792_: bool;
-    var phi_1793_: bool;
-    var phi_1797_: bool;
-    var phi_1798_: f32;
-    var phi_1799_: bool;
-    var phi_1825_: f32;
-    var phi_1834_: f32;
-    var phi_1843_: f32;
-    var phi_1852_: f32;
-    var phi_1859_: f32;
+    var phi_1793_: f32;
+    var phi_1794_: bool;
+    var phi_1812_: f32;
+    var phi_1813_: bool;
+    var phi_1814_: bool;
+    var phi_1815_: f32;
+    var phi_1816_: bool;
+    var phi_1817_: bool;
+    var phi_1821_: bool;
+    var phi_1822_: f32;
+    var phi_1823_: bool;
+    var phi_1857_: f32;
     var phi_1866_: f32;
-    var phi_1879_: f32;
-    var phi_1888_: f32;
-    var phi_1897_: f32;
-    var phi_1906_: f32;
-    var phi_1913_: f32;
+    var phi_1875_: f32;
+    var phi_1884_: f32;
+    var phi_1891_: f32;
+    var phi_1898_: f32;
+    var phi_1911_: f32;
     var phi_1920_: f32;
-    var phi_1943_: f32;
-    var phi_1948_: f32;
-    var phi_1953_: f32;
-    var phi_1961_: f32;
-    var phi_1966_: f32;
-    var phi_1971_: f32;
-    var phi_1983_: f32;
-    var phi_1988_: f32;
-    var phi_1993_: f32;
-    var phi_1998_: f32;
-    var phi_2003_: lt_bvh_triangle_Intersection;
-    var phi_2004_: lt_bvh_triangle_Intersection;
-    var phi_2005_: bool;
-    var phi_2009_: lt_bvh_triangle_Intersection;
-    var phi_2220_: f32;
-    var phi_2223_: bool;
-    var phi_2224_: bool;
-    var phi_2228_: bool;
-    var phi_2229_: bool;
-    var phi_2230_: bool;
-    var phi_2231_: bool;
-    var phi_2232_: bool;
-    var phi_2233_: bool;
-    var phi_2234_: bool;
-    var phi_2235_: bool;
-    var phi_2236_: bool;
-    var phi_2237_: bool;
-    var phi_2238_: bool;
-    var phi_2239_: bool;
-    var phi_2243_: bool;
-    var phi_2244_: bool;
-    var phi_1547_: u32;
-    var phi_2245_: bool;
-    var phi_2246_: bool;
-    var phi_2247_: bool;
-    var local_7: bool;
+    var phi_1929_: f32;
+    var phi_1938_: f32;
+    var phi_1945_: f32;
+    var phi_1952_: f32;
+    var phi_1969_: f32;
+    var phi_1974_: f32;
+    var phi_1979_: f32;
+    var phi_1987_: f32;
+    var phi_1992_: f32;
+    var phi_1997_: f32;
+    var phi_2009_: f32;
+    var phi_2014_: f32;
+    var phi_2019_: f32;
+    var phi_2024_: f32;
+    var phi_2029_: lt_bvh_triangle_Intersection;
+    var phi_2030_: bool;
+    var phi_2031_: lt_bvh_triangle_Intersection;
+    var phi_2032_: bool;
+    var phi_2036_: lt_bvh_triangle_Intersection;
+    var phi_2037_: bool;
+    var phi_2038_: lt_bvh_triangle_Intersection;
+    var phi_2039_: bool;
+    var phi_2040_: bool;
+    var phi_2044_: bool;
+    var phi_2048_: lt_bvh_triangle_Intersection;
+    var phi_2266_: f32;
+    var phi_2269_: bool;
+    var phi_2270_: bool;
+    var phi_2274_: bool;
+    var phi_2275_: bool;
+    var phi_2276_: bool;
+    var phi_2277_: bool;
+    var phi_2278_: bool;
+    var phi_2279_: bool;
+    var phi_2280_: bool;
+    var phi_2281_: bool;
+    var phi_2282_: bool;
+    var phi_2283_: bool;
+    var phi_2284_: bool;
+    var phi_2285_: bool;
     var phi_2289_: bool;
     var phi_2290_: bool;
-    var phi_2321_: u32;
-    var phi_2322_: u32;
-    var phi_2323_: bool;
-    var phi_2324_: bool;
-    var phi_1212_: u32;
-    var phi_2325_: bool;
-    var phi_2326_: bool;
-    var phi_2327_: bool;
-    var phi_2328_: bool;
+    var phi_1577_: u32;
+    var phi_2291_: bool;
+    var phi_2292_: bool;
+    var phi_2293_: bool;
+    var local_6: bool;
+    var phi_2335_: bool;
+    var phi_2336_: bool;
+    var phi_2367_: u32;
+    var phi_2368_: u32;
+    var phi_2369_: bool;
+    var phi_2370_: bool;
+    var phi_1247_: u32;
+    var phi_2371_: bool;
+    var phi_2372_: bool;
+    var phi_2373_: bool;
+    var phi_2374_: bool;
+    var local_7: bool;
+    var phi_2378_: bool;
+    var phi_2379_: bool;
+    var phi_2383_: bool;
+    var phi_2387_: bool;
+    var phi_2388_: bool;
+    var phi_2389_: bool;
+    var phi_2390_: bool;
+    var phi_2394_: bool;
+    var phi_2398_: f32;
+    var phi_2399_: f32;
     var local_8: bool;
-    var phi_2332_: bool;
-    var phi_2333_: bool;
-    var phi_2337_: bool;
-    var phi_2341_: bool;
-    var phi_2342_: bool;
-    var phi_2343_: bool;
-    var phi_2344_: bool;
-    var phi_2348_: bool;
-    var phi_2352_: f32;
-    var phi_2353_: f32;
     var local_9: bool;
     var local_10: bool;
     var local_11: bool;
     var local_12: bool;
-    var local_13: bool;
 
-    let _e68 = id_1;
-    let _e75 = arrayLength((&nodes.member));
-    let _e78 = arrayLength((&triangles.member));
-    let _e84 = arrayLength((&vertices.member));
-    let _e90 = arrayLength((&alpha_texels.member));
-    let _e93 = p.member.size[0u];
-    let _e95 = p.member.size[1u];
-    let _e96 = lt_shaders_entry_pixel_index(_e68, _e93, _e95);
-    if (bitcast<i32>(_e96.root) != 0i) {
-        if (_e96.first_primitive < arrayLength((&samples.member))) {
+    let _e71 = id_1;
+    let _e78 = arrayLength((&nodes.member));
+    let _e81 = arrayLength((&triangles.member));
+    let _e87 = arrayLength((&vertices.member));
+    let _e93 = arrayLength((&alpha_texels.member));
+    let _e96 = p.member.size[0u];
+    let _e98 = p.member.size[1u];
+    let _e99 = lt_shaders_entry_pixel_index(_e71, _e96, _e98);
+    if (bitcast<i32>(_e99.root) != 0i) {
+        if (_e99.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e104 = samples.member[(0u + _e96.first_primitive)];
-        local_3 = abi_Sample(_e104.position, _e104.magnitude, _e104.normal, _e104.flags, _e104.shading_normal, _e104.albedo);
-        let _e113 = p.member.light;
-        let _e114 = lt_shaders_evaluate_settle((&local_3), _e113);
-        if _e114.unnamed_1 {
-            phi_2353_ = _e114.unnamed.visibility;
+        let _e107 = samples.member[(0u + _e99.first_primitive)];
+        local_2 = abi_Sample(_e107.position, _e107.magnitude, _e107.normal, _e107.flags, _e107.shading_normal, _e107.albedo);
+        let _e116 = p.member.light;
+        let _e117 = _lt_shaders_abi_Sample_is_valid((&local_2));
+        if _e117 {
+            let _e119 = local_2.normal;
+            let _e121 = local_2.position;
+            if ((((_e119.x * (_e116.x - (_e121.x * _e116.w))) + (_e119.y * (_e116.y - (_e121.y * _e116.w)))) + (_e119.z * (_e116.z - (_e121.z * _e116.w)))) > 0f) {
+                let _e145 = local_2.flags;
+                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
+                phi_757_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, ((_e145 & 1u) == 0u));
+            } else {
+                let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                phi_757_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
+            }
+            let _e179 = phi_757_;
+            phi_761_ = _e179;
         } else {
-            let _e119 = p.member.light;
-            let _e120 = lt_shaders_resolve_shadow_ray((&local_3), _e119);
-            let _e130 = abs(_e120.direction.x);
-            let _e132 = abs(_e120.direction.y);
-            let _e134 = abs(_e120.direction.z);
-            if (abs(_e120.origin.x) < 1000000000000000f) {
-                if (abs(_e120.origin.y) < 1000000000000000f) {
-                    if (abs(_e120.origin.z) < 1000000000000000f) {
-                        if (_e130 < 1000000000000000f) {
-                            if (_e132 < 1000000000000000f) {
-                                if (_e134 < 1000000000000000f) {
-                                    if (_e130 > 0f) {
-                                        phi_800_ = bool();
-                                        phi_801_ = true;
+            let _e185 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e185.unnamed.visibility, false), _e185.unnamed_1);
+            phi_761_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e191.unnamed, true);
+        }
+        let _e196 = phi_761_;
+        if _e196.unnamed_1 {
+            phi_2399_ = _e196.unnamed.visibility;
+        } else {
+            let _e201 = p.member.light;
+            let _e203 = local_2.position;
+            let _e205 = local_2.normal;
+            let _e207 = local_2.magnitude;
+            let _e209 = ((8f / 8388608f) * _e207);
+            let _e217 = (_e203.x + (_e205.x * _e209));
+            let _e219 = (_e203.y + (_e205.y * _e209));
+            let _e221 = (_e203.z + (_e205.z * _e209));
+            if (_e201.w == 0f) {
+                phi_807_ = 300000000000000000000000000000000000000f;
+            } else {
+                phi_807_ = 1f;
+            }
+            let _e225 = phi_807_;
+            let _e233 = (_e201.x - (_e217 * _e201.w));
+            let _e234 = (_e201.y - (_e219 * _e201.w));
+            let _e235 = (_e201.z - (_e221 * _e201.w));
+            let _e240 = abs(_e233);
+            let _e241 = abs(_e234);
+            let _e242 = abs(_e235);
+            if (abs(_e217) < 1000000000000000f) {
+                if (abs(_e219) < 1000000000000000f) {
+                    if (abs(_e221) < 1000000000000000f) {
+                        if (_e240 < 1000000000000000f) {
+                            if (_e241 < 1000000000000000f) {
+                                if (_e242 < 1000000000000000f) {
+                                    if (_e240 > 0f) {
+                                        phi_863_ = bool();
+                                        phi_864_ = true;
                                     } else {
-                                        let _e142 = (_e132 > 0f);
-                                        if _e142 {
-                                            phi_799_ = bool();
+                                        let _e250 = (_e241 > 0f);
+                                        if _e250 {
+                                            phi_862_ = bool();
                                         } else {
-                                            phi_799_ = (_e134 > 0f);
+                                            phi_862_ = (_e242 > 0f);
                                         }
-                                        let _e145 = phi_799_;
-                                        phi_800_ = _e145;
-                                        phi_801_ = _e142;
+                                        let _e253 = phi_862_;
+                                        phi_863_ = _e253;
+                                        phi_864_ = _e250;
                                     }
-                                    let _e147 = phi_800_;
-                                    let _e149 = phi_801_;
-                                    if _e149 {
-                                        phi_805_ = true;
+                                    let _e255 = phi_863_;
+                                    let _e257 = phi_864_;
+                                    if _e257 {
+                                        phi_868_ = true;
                                     } else {
-                                        phi_805_ = _e147;
+                                        phi_868_ = _e255;
                                     }
-                                    let _e151 = phi_805_;
-                                    phi_806_ = _e151;
-                                    phi_807_ = false;
+                                    let _e259 = phi_868_;
+                                    phi_869_ = _e259;
+                                    phi_870_ = false;
                                 } else {
-                                    phi_806_ = bool();
-                                    phi_807_ = true;
+                                    phi_869_ = bool();
+                                    phi_870_ = true;
                                 }
-                                let _e153 = phi_806_;
-                                let _e155 = phi_807_;
-                                phi_808_ = _e153;
-                                phi_809_ = false;
-                                phi_810_ = _e155;
+                                let _e261 = phi_869_;
+                                let _e263 = phi_870_;
+                                phi_871_ = _e261;
+                                phi_872_ = false;
+                                phi_873_ = _e263;
                             } else {
-                                phi_808_ = bool();
-                                phi_809_ = true;
-                                phi_810_ = false;
+                                phi_871_ = bool();
+                                phi_872_ = true;
+                                phi_873_ = false;
                             }
-                            let _e157 = phi_808_;
-                            let _e159 = phi_809_;
-                            let _e161 = phi_810_;
-                            phi_811_ = _e157;
-                            phi_812_ = _e159;
-                            phi_813_ = _e161;
+                            let _e265 = phi_871_;
+                            let _e267 = phi_872_;
+                            let _e269 = phi_873_;
+                            phi_874_ = _e265;
+                            phi_875_ = _e267;
+                            phi_876_ = _e269;
                         } else {
-                            phi_811_ = bool();
-                            phi_812_ = true;
-                            phi_813_ = false;
+                            phi_874_ = bool();
+                            phi_875_ = true;
+                            phi_876_ = false;
                         }
-                        let _e163 = phi_811_;
-                        let _e165 = phi_812_;
-                        let _e167 = phi_813_;
-                        phi_814_ = _e163;
-                        phi_815_ = _e165;
-                        phi_816_ = _e167;
+                        let _e271 = phi_874_;
+                        let _e273 = phi_875_;
+                        let _e275 = phi_876_;
+                        phi_877_ = _e271;
+                        phi_878_ = _e273;
+                        phi_879_ = _e275;
                     } else {
-                        phi_814_ = bool();
-                        phi_815_ = true;
-                        phi_816_ = false;
+                        phi_877_ = bool();
+                        phi_878_ = true;
+                        phi_879_ = false;
                     }
-                    let _e169 = phi_814_;
-                    let _e171 = phi_815_;
-                    let _e173 = phi_816_;
-                    phi_817_ = _e169;
-                    phi_818_ = _e171;
-                    phi_819_ = _e173;
+                    let _e277 = phi_877_;
+                    let _e279 = phi_878_;
+                    let _e281 = phi_879_;
+                    phi_880_ = _e277;
+                    phi_881_ = _e279;
+                    phi_882_ = _e281;
                 } else {
-                    phi_817_ = bool();
-                    phi_818_ = true;
-                    phi_819_ = false;
+                    phi_880_ = bool();
+                    phi_881_ = true;
+                    phi_882_ = false;
                 }
-                let _e175 = phi_817_;
-                let _e177 = phi_818_;
-                let _e179 = phi_819_;
-                phi_820_ = _e175;
-                phi_821_ = _e177;
-                phi_822_ = _e179;
+                let _e283 = phi_880_;
+                let _e285 = phi_881_;
+                let _e287 = phi_882_;
+                phi_883_ = _e283;
+                phi_884_ = _e285;
+                phi_885_ = _e287;
             } else {
-                phi_820_ = bool();
-                phi_821_ = true;
-                phi_822_ = false;
+                phi_883_ = bool();
+                phi_884_ = true;
+                phi_885_ = false;
             }
-            let _e181 = phi_820_;
-            let _e183 = phi_821_;
-            let _e185 = phi_822_;
-            if _e183 {
-                phi_826_ = true;
+            let _e289 = phi_883_;
+            let _e291 = phi_884_;
+            let _e293 = phi_885_;
+            if _e291 {
+                phi_889_ = true;
             } else {
-                phi_826_ = _e185;
+                phi_889_ = _e293;
             }
-            let _e187 = phi_826_;
-            if _e187 {
-                phi_830_ = false;
+            let _e295 = phi_889_;
+            if _e295 {
+                phi_893_ = false;
             } else {
-                phi_830_ = _e181;
+                phi_893_ = _e289;
             }
-            let _e189 = phi_830_;
-            if _e189 {
-                let _e190 = (0u >= _e75);
-                if _e190 {
-                    phi_2342_ = bool();
+            let _e297 = phi_893_;
+            if _e297 {
+                let _e298 = (0u >= _e78);
+                if _e298 {
+                    phi_2388_ = bool();
                 } else {
-                    if (0u < _e75) {
+                    if (0u < _e78) {
                     } else {
                         return;
                     }
-                    let _e196 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e200 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e204 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e208 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e212 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e216 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e220 = nodes.member[(0u + 0u)].frame[3u];
-                    let _e258 = core_intrinsics_maximum_number_nsz_f32_(abs(_e120.direction.x), abs(_e120.direction.y));
-                    let _e259 = core_intrinsics_maximum_number_nsz_f32_(_e258, abs(_e120.direction.z));
-                    let _e260 = (_e259 * 0.0000000000009094947f);
-                    if (abs(_e120.direction.x) < _e260) {
-                        phi_905_ = _e260;
+                    let _e304 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e308 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e312 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e316 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e320 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e324 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e328 = nodes.member[(0u + 0u)].frame[3u];
+                    let _e362 = core_intrinsics_maximum_number_nsz_f32_(abs(_e233), abs(_e234));
+                    let _e363 = core_intrinsics_maximum_number_nsz_f32_(_e362, abs(_e235));
+                    let _e364 = (_e363 * 0.0000000000009094947f);
+                    if (abs(_e233) < _e364) {
+                        phi_963_ = _e364;
                     } else {
-                        phi_905_ = abs(_e120.direction.x);
+                        phi_963_ = abs(_e233);
                     }
-                    let _e267 = phi_905_;
-                    if (_e120.direction.x < 0f) {
-                        phi_912_ = (-1f / _e267);
+                    let _e369 = phi_963_;
+                    if (_e233 < 0f) {
+                        phi_970_ = (-1f / _e369);
                     } else {
-                        phi_912_ = (1f / _e267);
+                        phi_970_ = (1f / _e369);
                     }
-                    let _e272 = phi_912_;
-                    if (abs(_e120.direction.y) < _e260) {
-                        phi_920_ = _e260;
+                    let _e374 = phi_970_;
+                    if (abs(_e234) < _e364) {
+                        phi_977_ = _e364;
                     } else {
-                        phi_920_ = abs(_e120.direction.y);
+                        phi_977_ = abs(_e234);
                     }
-                    let _e279 = phi_920_;
-                    if (_e120.direction.y < 0f) {
-                        phi_927_ = (-1f / _e279);
+                    let _e379 = phi_977_;
+                    if (_e234 < 0f) {
+                        phi_984_ = (-1f / _e379);
                     } else {
-                        phi_927_ = (1f / _e279);
+                        phi_984_ = (1f / _e379);
                     }
-                    let _e284 = phi_927_;
-                    if (abs(_e120.direction.z) < _e260) {
-                        phi_935_ = _e260;
+                    let _e384 = phi_984_;
+                    if (abs(_e235) < _e364) {
+                        phi_991_ = _e364;
                     } else {
-                        phi_935_ = abs(_e120.direction.z);
+                        phi_991_ = abs(_e235);
                     }
-                    let _e291 = phi_935_;
-                    if (_e120.direction.z < 0f) {
-                        phi_942_ = (-1f / _e291);
+                    let _e389 = phi_991_;
+                    if (_e235 < 0f) {
+                        phi_998_ = (-1f / _e389);
                     } else {
-                        phi_942_ = (1f / _e291);
+                        phi_998_ = (1f / _e389);
                     }
-                    let _e296 = phi_942_;
-                    let _e304 = abs((bitcast<f32>(_e196) - _e120.origin.x));
-                    let _e305 = abs((bitcast<f32>(_e200) - _e120.origin.y));
-                    let _e306 = abs((bitcast<f32>(_e204) - _e120.origin.z));
-                    let _e314 = abs(((bitcast<f32>(_e208) + (bitcast<f32>((((_e220 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e120.origin.x));
-                    let _e315 = abs(((bitcast<f32>(_e212) + (bitcast<f32>((((_e220 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e120.origin.y));
-                    let _e316 = abs(((bitcast<f32>(_e216) + (bitcast<f32>((((_e220 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e120.origin.z));
-                    if (_e304 > _e314) {
-                        phi_967_ = _e304;
+                    let _e394 = phi_998_;
+                    let _e398 = abs((bitcast<f32>(_e304) - _e217));
+                    let _e399 = abs((bitcast<f32>(_e308) - _e219));
+                    let _e400 = abs((bitcast<f32>(_e312) - _e221));
+                    let _e404 = abs(((bitcast<f32>(_e316) + (bitcast<f32>((((_e328 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e217));
+                    let _e405 = abs(((bitcast<f32>(_e320) + (bitcast<f32>((((_e328 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e219));
+                    let _e406 = abs(((bitcast<f32>(_e324) + (bitcast<f32>((((_e328 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e221));
+                    if (_e398 > _e404) {
+                        phi_1015_ = _e398;
                     } else {
-                        phi_967_ = _e314;
+                        phi_1015_ = _e404;
                     }
-                    let _e319 = phi_967_;
-                    if (_e305 > _e315) {
-                        phi_972_ = _e305;
+                    let _e409 = phi_1015_;
+                    if (_e399 > _e405) {
+                        phi_1020_ = _e399;
                     } else {
-                        phi_972_ = _e315;
+                        phi_1020_ = _e405;
                     }
-                    let _e322 = phi_972_;
-                    if (_e306 > _e316) {
-                        phi_977_ = _e306;
+                    let _e412 = phi_1020_;
+                    if (_e400 > _e406) {
+                        phi_1025_ = _e400;
                     } else {
-                        phi_977_ = _e316;
+                        phi_1025_ = _e406;
                     }
-                    let _e325 = phi_977_;
-                    let _e326 = core_intrinsics_maximum_number_nsz_f32_(_e319, _e322);
-                    let _e327 = core_intrinsics_maximum_number_nsz_f32_(_e326, _e325);
-                    let _e332 = (_e327 * 0.0000019073486f);
-                    let _e333 = (abs(_e272) * _e332);
-                    let _e334 = (abs(_e284) * _e332);
-                    let _e335 = (abs(_e296) * _e332);
-                    let _e339 = (_e327 * 0.0000009536743f);
-                    let _e340 = (abs(_e272) * _e339);
-                    let _e341 = (abs(_e284) * _e339);
-                    let _e342 = (abs(_e296) * _e339);
-                    let _e345 = abs(_e120.direction.x);
-                    let _e347 = abs(_e120.direction.y);
-                    let _e349 = abs(_e120.direction.z);
-                    if (_e345 >= _e347) {
-                        if (_e345 >= _e349) {
-                            phi_1010_ = false;
+                    let _e415 = phi_1025_;
+                    let _e416 = core_intrinsics_maximum_number_nsz_f32_(_e409, _e412);
+                    let _e417 = core_intrinsics_maximum_number_nsz_f32_(_e416, _e415);
+                    let _e421 = (_e417 * 0.0000019073486f);
+                    let _e422 = (abs(_e374) * _e421);
+                    let _e423 = (abs(_e384) * _e421);
+                    let _e424 = (abs(_e394) * _e421);
+                    let _e428 = (_e417 * 0.0000009536743f);
+                    let _e429 = (abs(_e374) * _e428);
+                    let _e430 = (abs(_e384) * _e428);
+                    let _e431 = (abs(_e394) * _e428);
+                    let _e432 = abs(_e233);
+                    let _e433 = abs(_e234);
+                    let _e434 = abs(_e235);
+                    if (_e432 >= _e433) {
+                        if (_e432 >= _e434) {
+                            phi_1053_ = false;
                         } else {
-                            phi_1010_ = true;
+                            phi_1053_ = true;
                         }
-                        let _e353 = phi_1010_;
-                        phi_1011_ = _e353;
+                        let _e438 = phi_1053_;
+                        phi_1054_ = _e438;
                     } else {
-                        phi_1011_ = true;
+                        phi_1054_ = true;
                     }
-                    let _e355 = phi_1011_;
-                    if _e355 {
-                        if (_e347 >= _e349) {
-                            phi_1019_ = 1u;
+                    let _e440 = phi_1054_;
+                    if _e440 {
+                        if (_e433 >= _e434) {
+                            phi_1062_ = 1u;
                         } else {
-                            phi_1019_ = 2u;
+                            phi_1062_ = 2u;
                         }
-                        let _e358 = phi_1019_;
-                        phi_1020_ = _e358;
+                        let _e443 = phi_1062_;
+                        phi_1063_ = _e443;
                     } else {
-                        phi_1020_ = 0u;
-                    }
-                    let _e360 = phi_1020_;
-                    if (_e360 == 0u) {
-                        phi_1039_ = vec3<f32>(_e120.direction.y, _e120.direction.z, _e120.direction.x);
-                    } else {
-                        if (_e360 == 1u) {
-                            phi_1038_ = vec3<f32>(_e120.direction.z, _e120.direction.x, _e120.direction.y);
-                        } else {
-                            phi_1038_ = _e120.direction;
-                        }
-                        let _e373 = phi_1038_;
-                        phi_1039_ = _e373;
-                    }
-                    let _e375 = phi_1039_;
-                    let _e379 = (_e375.x / _e375.z);
-                    let _e382 = (_e375.y / _e375.z);
-                    let _e384 = (1f / _e375.z);
-                    if (_e272 < 0f) {
-                        phi_1053_ = 0u;
-                    } else {
-                        phi_1053_ = 1u;
-                    }
-                    let _e387 = phi_1053_;
-                    if (_e284 < 0f) {
-                        phi_1058_ = 0u;
-                    } else {
-                        phi_1058_ = 2u;
-                    }
-                    let _e390 = phi_1058_;
-                    if (_e296 < 0f) {
                         phi_1063_ = 0u;
-                    } else {
-                        phi_1063_ = 4u;
                     }
-                    let _e393 = phi_1063_;
-                    let _e395 = ((_e387 | _e390) | _e393);
-                    let _e396 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e396.first[0], _e396.first[1], _e396.first[2], _e396.first[3], _e396.first[4], _e396.first[5], _e396.first[6], _e396.first[7], _e396.first[8], _e396.first[9], _e396.first[10], _e396.first[11], _e396.first[12], _e396.first[13], _e396.first[14], _e396.first[15], _e396.first[16], _e396.first[17], _e396.first[18], _e396.first[19], _e396.first[20], _e396.first[21], _e396.first[22], _e396.first[23], _e396.first[24], _e396.first[25], _e396.first[26], _e396.first[27], _e396.first[28], _e396.first[29], _e396.first[30], _e396.first[31]), array<u32, 32>(_e396.mask[0], _e396.mask[1], _e396.mask[2], _e396.mask[3], _e396.mask[4], _e396.mask[5], _e396.mask[6], _e396.mask[7], _e396.mask[8], _e396.mask[9], _e396.mask[10], _e396.mask[11], _e396.mask[12], _e396.mask[13], _e396.mask[14], _e396.mask[15], _e396.mask[16], _e396.mask[17], _e396.mask[18], _e396.mask[19], _e396.mask[20], _e396.mask[21], _e396.mask[22], _e396.mask[23], _e396.mask[24], _e396.mask[25], _e396.mask[26], _e396.mask[27], _e396.mask[28], _e396.mask[29], _e396.mask[30], _e396.mask[31]), _e396.len, _e396.group, _e396.group_mask);
-                    let _e470 = local_2.group_mask;
-                    if ((_e470 & 4278190080u) == 0u) {
-                        let _e474 = local_2.len;
-                        if (_e474 == 0u) {
-                            phi_1177_ = false;
+                    let _e445 = phi_1063_;
+                    if (_e445 == 0u) {
+                        phi_1075_ = vec3<f32>(_e234, _e235, _e233);
+                    } else {
+                        if (_e445 == 1u) {
+                            phi_1074_ = vec3<f32>(_e235, _e233, _e234);
                         } else {
-                            let _e478 = local_2.len;
-                            local_2.len = (_e478 - 1u);
-                            let _e481 = local_2.len;
-                            if (_e481 < 32u) {
-                            } else {
-                                return;
-                            }
-                            let _e486 = local_2.first[(0u + _e481)];
-                            local_2.group = _e486;
-                            let _e489 = local_2.len;
-                            if (_e489 < 32u) {
-                            } else {
-                                return;
-                            }
-                            let _e494 = local_2.mask[(0u + _e489)];
-                            local_2.group_mask = _e494;
-                            phi_1177_ = true;
+                            phi_1074_ = vec3<f32>(_e233, _e234, _e235);
                         }
-                        let _e497 = phi_1177_;
-                        phi_1178_ = _e497;
-                    } else {
-                        phi_1178_ = true;
+                        let _e451 = phi_1074_;
+                        phi_1075_ = _e451;
                     }
-                    let _e499 = phi_1178_;
-                    if _e499 {
-                        let _e501 = local_2.group_mask;
-                        let _e507 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e501)), 32u, (_e501 == 0u)));
-                        let _e511 = local_2.group_mask;
-                        let _e525 = local_2.group_mask;
-                        local_2.group_mask = (_e525 & ~((1u << bitcast<u32>((_e507 & 31u)))));
-                        let _e528 = local_2.group;
-                        phi_1209_ = (_e528 + countOneBits(((_e511 & ~((4294967295u << bitcast<u32>((((_e507 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e453 = phi_1075_;
+                    let _e456 = (_e453.x / _e453.z);
+                    let _e459 = (_e453.y / _e453.z);
+                    let _e461 = (1f / _e453.z);
+                    if (_e374 < 0f) {
+                        phi_1088_ = 0u;
                     } else {
-                        phi_1209_ = 4294967295u;
+                        phi_1088_ = 1u;
                     }
-                    let _e531 = phi_1209_;
-                    phi_1211_ = _e531;
-                    loop {
-                        let _e533 = phi_1211_;
-                        if (_e533 != 4294967295u) {
-                            if (_e533 < _e75) {
+                    let _e464 = phi_1088_;
+                    if (_e384 < 0f) {
+                        phi_1093_ = 0u;
+                    } else {
+                        phi_1093_ = 2u;
+                    }
+                    let _e467 = phi_1093_;
+                    if (_e394 < 0f) {
+                        phi_1098_ = 0u;
+                    } else {
+                        phi_1098_ = 4u;
+                    }
+                    let _e470 = phi_1098_;
+                    let _e472 = ((_e464 | _e467) | _e470);
+                    let _e473 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e473.first[0], _e473.first[1], _e473.first[2], _e473.first[3], _e473.first[4], _e473.first[5], _e473.first[6], _e473.first[7], _e473.first[8], _e473.first[9], _e473.first[10], _e473.first[11], _e473.first[12], _e473.first[13], _e473.first[14], _e473.first[15], _e473.first[16], _e473.first[17], _e473.first[18], _e473.first[19], _e473.first[20], _e473.first[21], _e473.first[22], _e473.first[23], _e473.first[24], _e473.first[25], _e473.first[26], _e473.first[27], _e473.first[28], _e473.first[29], _e473.first[30], _e473.first[31]), array<u32, 32>(_e473.mask[0], _e473.mask[1], _e473.mask[2], _e473.mask[3], _e473.mask[4], _e473.mask[5], _e473.mask[6], _e473.mask[7], _e473.mask[8], _e473.mask[9], _e473.mask[10], _e473.mask[11], _e473.mask[12], _e473.mask[13], _e473.mask[14], _e473.mask[15], _e473.mask[16], _e473.mask[17], _e473.mask[18], _e473.mask[19], _e473.mask[20], _e473.mask[21], _e473.mask[22], _e473.mask[23], _e473.mask[24], _e473.mask[25], _e473.mask[26], _e473.mask[27], _e473.mask[28], _e473.mask[29], _e473.mask[30], _e473.mask[31]), _e473.len, _e473.group, _e473.group_mask);
+                    let _e547 = local_1.group_mask;
+                    if ((_e547 & 4278190080u) == 0u) {
+                        let _e551 = local_1.len;
+                        if (_e551 == 0u) {
+                            phi_1212_ = false;
+                        } else {
+                            let _e555 = local_1.len;
+                            local_1.len = (_e555 - 1u);
+                            let _e558 = local_1.len;
+                            if (_e558 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e542 = nodes.member[(0u + _e533)].frame[3u];
-                            let _e567 = (bitcast<f32>((((_e542 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e272);
-                            let _e568 = (bitcast<f32>((((_e542 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
-                            let _e569 = (bitcast<f32>((((_e542 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e296);
-                            let _e572 = nodes.member[(0u + _e533)].frame[0u];
-                            let _e576 = nodes.member[(0u + _e533)].frame[1u];
-                            let _e580 = nodes.member[(0u + _e533)].frame[2u];
-                            let _e588 = ((bitcast<f32>(_e572) - _e120.origin.x) * _e272);
-                            let _e589 = ((bitcast<f32>(_e576) - _e120.origin.y) * _e284);
-                            let _e590 = ((bitcast<f32>(_e580) - _e120.origin.z) * _e296);
-                            let _e598 = nodes.member[(0u + _e533)].x;
-                            if (_e272 < 0f) {
-                                let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e609.unnamed.root, _e598.w), _e609.unnamed_1);
-                                let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e615.unnamed, lt_bvh_traverse_Tree(_e598.x, _e615.unnamed_1.first_primitive));
-                                phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_bvh_traverse_Tree(_e621.unnamed_1.root, _e598.y));
+                            let _e563 = local_1.first[(0u + _e558)];
+                            local_1.group = _e563;
+                            let _e566 = local_1.len;
+                            if (_e566 < 32u) {
                             } else {
-                                let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e637.unnamed.root, _e598.y), _e637.unnamed_1);
-                                let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_bvh_traverse_Tree(_e598.z, _e643.unnamed_1.first_primitive));
-                                phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e649.unnamed_1.root, _e598.w));
+                                return;
                             }
-                            let _e657 = phi_1297_;
-                            let _e667 = nodes.member[(0u + _e533)].y;
-                            if (_e284 < 0f) {
-                                let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e678.unnamed.root, _e667.w), _e678.unnamed_1);
-                                let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e667.x, _e684.unnamed_1.first_primitive));
-                                phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e690.unnamed_1.root, _e667.y));
+                            let _e571 = local_1.mask[(0u + _e566)];
+                            local_1.group_mask = _e571;
+                            phi_1212_ = true;
+                        }
+                        let _e574 = phi_1212_;
+                        phi_1213_ = _e574;
+                    } else {
+                        phi_1213_ = true;
+                    }
+                    let _e576 = phi_1213_;
+                    if _e576 {
+                        let _e578 = local_1.group_mask;
+                        let _e584 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e578)), 32u, (_e578 == 0u)));
+                        let _e588 = local_1.group_mask;
+                        let _e602 = local_1.group_mask;
+                        local_1.group_mask = (_e602 & ~((1u << bitcast<u32>((_e584 & 31u)))));
+                        let _e605 = local_1.group;
+                        phi_1244_ = (_e605 + countOneBits(((_e588 & ~((4294967295u << bitcast<u32>((((_e584 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    } else {
+                        phi_1244_ = 4294967295u;
+                    }
+                    let _e608 = phi_1244_;
+                    phi_1246_ = _e608;
+                    loop {
+                        let _e610 = phi_1246_;
+                        if (_e610 != 4294967295u) {
+                            if (_e610 < _e78) {
                             } else {
-                                let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e706.unnamed.root, _e667.y), _e706.unnamed_1);
-                                let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_bvh_traverse_Tree(_e667.z, _e712.unnamed_1.first_primitive));
-                                phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e718.unnamed_1.root, _e667.w));
+                                return;
                             }
-                            let _e726 = phi_1324_;
-                            let _e736 = nodes.member[(0u + _e533)].z;
-                            if (_e296 < 0f) {
-                                let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e747.unnamed.root, _e736.w), _e747.unnamed_1);
-                                let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_bvh_traverse_Tree(_e736.x, _e753.unnamed_1.first_primitive));
-                                phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_bvh_traverse_Tree(_e759.unnamed_1.root, _e736.y));
+                            let _e617 = nodes.member[(0u + _e610)].frame[3u];
+                            let _e642 = (bitcast<f32>((((_e617 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e374);
+                            let _e643 = (bitcast<f32>((((_e617 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e384);
+                            let _e644 = (bitcast<f32>((((_e617 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e394);
+                            let _e647 = nodes.member[(0u + _e610)].frame[0u];
+                            let _e651 = nodes.member[(0u + _e610)].frame[1u];
+                            let _e655 = nodes.member[(0u + _e610)].frame[2u];
+                            let _e660 = ((bitcast<f32>(_e647) - _e217) * _e374);
+                            let _e661 = ((bitcast<f32>(_e651) - _e219) * _e384);
+                            let _e662 = ((bitcast<f32>(_e655) - _e221) * _e394);
+                            let _e670 = nodes.member[(0u + _e610)].x;
+                            if (_e374 < 0f) {
+                                let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e670.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e681.unnamed.root, _e670.w), _e681.unnamed_1);
+                                let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e687.unnamed, lt_bvh_traverse_Tree(_e670.x, _e687.unnamed_1.first_primitive));
+                                phi_1327_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_bvh_traverse_Tree(_e693.unnamed_1.root, _e670.y));
                             } else {
-                                let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e775.unnamed.root, _e736.y), _e775.unnamed_1);
-                                let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e781.unnamed, lt_bvh_traverse_Tree(_e736.z, _e781.unnamed_1.first_primitive));
-                                phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_bvh_traverse_Tree(_e787.unnamed_1.root, _e736.w));
+                                let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e670.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e670.y), _e709.unnamed_1);
+                                let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e670.z, _e715.unnamed_1.first_primitive));
+                                phi_1327_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e670.w));
                             }
-                            let _e795 = phi_1351_;
-                            phi_1357_ = 0u;
-                            phi_1360_ = 0u;
+                            let _e729 = phi_1327_;
+                            let _e739 = nodes.member[(0u + _e610)].y;
+                            if (_e384 < 0f) {
+                                let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e739.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e750.unnamed.root, _e739.w), _e750.unnamed_1);
+                                let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e756.unnamed, lt_bvh_traverse_Tree(_e739.x, _e756.unnamed_1.first_primitive));
+                                phi_1354_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_bvh_traverse_Tree(_e762.unnamed_1.root, _e739.y));
+                            } else {
+                                let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e739.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.unnamed.root, _e739.y), _e778.unnamed_1);
+                                let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_bvh_traverse_Tree(_e739.z, _e784.unnamed_1.first_primitive));
+                                phi_1354_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_bvh_traverse_Tree(_e790.unnamed_1.root, _e739.w));
+                            }
+                            let _e798 = phi_1354_;
+                            let _e808 = nodes.member[(0u + _e610)].z;
+                            if (_e394 < 0f) {
+                                let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e808.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e819.unnamed.root, _e808.w), _e819.unnamed_1);
+                                let _e831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e825.unnamed, lt_bvh_traverse_Tree(_e808.x, _e825.unnamed_1.first_primitive));
+                                phi_1381_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e831.unnamed, lt_bvh_traverse_Tree(_e831.unnamed_1.root, _e808.y));
+                            } else {
+                                let _e847 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e808.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e853 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e847.unnamed.root, _e808.y), _e847.unnamed_1);
+                                let _e859 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e853.unnamed, lt_bvh_traverse_Tree(_e808.z, _e853.unnamed_1.first_primitive));
+                                phi_1381_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e859.unnamed, lt_bvh_traverse_Tree(_e859.unnamed_1.root, _e808.w));
+                            }
+                            let _e867 = phi_1381_;
+                            phi_1387_ = 0u;
+                            phi_1390_ = 0u;
                             loop {
-                                let _e805 = phi_1357_;
-                                let _e807 = phi_1360_;
-                                local_4 = _e807;
-                                local_5 = _e807;
-                                local_6 = _e807;
-                                let _e808 = (_e805 < 8u);
-                                if _e808 {
-                                    let _e810 = (_e805 >> bitcast<u32>(2i));
-                                    let _e811 = (_e805 & 3u);
-                                    if (_e810 == 0u) {
-                                        phi_1374_ = _e657.unnamed.root;
+                                let _e877 = phi_1387_;
+                                let _e879 = phi_1390_;
+                                local_3 = _e879;
+                                local_4 = _e879;
+                                local_5 = _e879;
+                                let _e880 = (_e877 < 8u);
+                                if _e880 {
+                                    let _e882 = (_e877 >> bitcast<u32>(2i));
+                                    let _e883 = (_e877 & 3u);
+                                    if (_e882 == 0u) {
+                                        phi_1404_ = _e729.unnamed.root;
                                     } else {
-                                        phi_1374_ = _e657.unnamed.first_primitive;
+                                        phi_1404_ = _e729.unnamed.first_primitive;
                                     }
-                                    let _e814 = phi_1374_;
-                                    if (_e810 == 0u) {
-                                        phi_1384_ = _e726.unnamed.root;
+                                    let _e886 = phi_1404_;
+                                    if (_e882 == 0u) {
+                                        phi_1414_ = _e798.unnamed.root;
                                     } else {
-                                        phi_1384_ = _e726.unnamed.first_primitive;
+                                        phi_1414_ = _e798.unnamed.first_primitive;
                                     }
-                                    let _e823 = phi_1384_;
-                                    if (_e810 == 0u) {
-                                        phi_1394_ = _e795.unnamed.root;
+                                    let _e895 = phi_1414_;
+                                    if (_e882 == 0u) {
+                                        phi_1424_ = _e867.unnamed.root;
                                     } else {
-                                        phi_1394_ = _e795.unnamed.first_primitive;
+                                        phi_1424_ = _e867.unnamed.first_primitive;
                                     }
-                                    let _e832 = phi_1394_;
-                                    let _e845 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e814 >> bitcast<u32>(((_e811 * 8u) & 31u))) & 255u)) * _e567) + (_e588 - _e333)), ((f32(((_e823 >> bitcast<u32>(((_e811 * 8u) & 31u))) & 255u)) * _e568) + (_e589 - _e334)));
-                                    let _e846 = core_intrinsics_maximum_number_nsz_f32_(_e845, ((f32(((_e832 >> bitcast<u32>(((_e811 * 8u) & 31u))) & 255u)) * _e569) + (_e590 - _e335)));
-                                    if (_e810 == 0u) {
-                                        phi_1412_ = _e657.unnamed_1.root;
+                                    let _e904 = phi_1424_;
+                                    let _e917 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e886 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e642) + (_e660 - _e422)), ((f32(((_e895 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e643) + (_e661 - _e423)));
+                                    let _e918 = core_intrinsics_maximum_number_nsz_f32_(_e917, ((f32(((_e904 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e644) + (_e662 - _e424)));
+                                    if (_e882 == 0u) {
+                                        phi_1442_ = _e729.unnamed_1.root;
                                     } else {
-                                        phi_1412_ = _e657.unnamed_1.first_primitive;
+                                        phi_1442_ = _e729.unnamed_1.first_primitive;
                                     }
-                                    let _e849 = phi_1412_;
-                                    if (_e810 == 0u) {
-                                        phi_1422_ = _e726.unnamed_1.root;
+                                    let _e921 = phi_1442_;
+                                    if (_e882 == 0u) {
+                                        phi_1452_ = _e798.unnamed_1.root;
                                     } else {
-                                        phi_1422_ = _e726.unnamed_1.first_primitive;
+                                        phi_1452_ = _e798.unnamed_1.first_primitive;
                                     }
-                                    let _e858 = phi_1422_;
-                                    if (_e810 == 0u) {
-                                        phi_1432_ = _e795.unnamed_1.root;
+                                    let _e930 = phi_1452_;
+                                    if (_e882 == 0u) {
+                                        phi_1462_ = _e867.unnamed_1.root;
                                     } else {
-                                        phi_1432_ = _e795.unnamed_1.first_primitive;
+                                        phi_1462_ = _e867.unnamed_1.first_primitive;
                                     }
-                                    let _e867 = phi_1432_;
-                                    let _e880 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e849 >> bitcast<u32>(((_e811 * 8u) & 31u))) & 255u)) * _e567) + (_e588 + _e333)), ((f32(((_e858 >> bitcast<u32>(((_e811 * 8u) & 31u))) & 255u)) * _e568) + (_e589 + _e334)));
-                                    let _e881 = core_intrinsics_minimum_number_nsz_f32_(_e880, ((f32(((_e867 >> bitcast<u32>(((_e811 * 8u) & 31u))) & 255u)) * _e569) + (_e590 + _e335)));
-                                    if (_e846 <= _e881) {
-                                        if (_e846 <= _e120.tmax) {
-                                            if (_e881 >= _e120.tmin) {
-                                                if (_e810 == 0u) {
-                                                    let _e888 = nodes.member[(0u + _e533)].links[2u];
-                                                    phi_1468_ = _e888;
+                                    let _e939 = phi_1462_;
+                                    let _e952 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e921 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e642) + (_e660 + _e422)), ((f32(((_e930 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e643) + (_e661 + _e423)));
+                                    let _e953 = core_intrinsics_minimum_number_nsz_f32_(_e952, ((f32(((_e939 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e644) + (_e662 + _e424)));
+                                    if (_e918 <= _e953) {
+                                        if (_e918 <= _e225) {
+                                            if (_e953 >= 0f) {
+                                                if (_e882 == 0u) {
+                                                    let _e960 = nodes.member[(0u + _e610)].links[2u];
+                                                    phi_1498_ = _e960;
                                                 } else {
-                                                    let _e891 = nodes.member[(0u + _e533)].links[3u];
-                                                    phi_1468_ = _e891;
+                                                    let _e963 = nodes.member[(0u + _e610)].links[3u];
+                                                    phi_1498_ = _e963;
                                                 }
-                                                let _e893 = phi_1468_;
-                                                let _e898 = ((_e893 >> bitcast<u32>(((_e811 * 8u) & 31u))) & 255u);
-                                                let _e899 = (_e898 & 31u);
-                                                if (_e899 >= 24u) {
-                                                    phi_1481_ = (24u + ((_e899 - 24u) ^ _e395));
+                                                let _e965 = phi_1498_;
+                                                let _e970 = ((_e965 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u);
+                                                let _e971 = (_e970 & 31u);
+                                                if (_e971 >= 24u) {
+                                                    phi_1511_ = (24u + ((_e971 - 24u) ^ _e472));
                                                 } else {
-                                                    phi_1481_ = _e899;
+                                                    phi_1511_ = _e971;
                                                 }
-                                                let _e905 = phi_1481_;
-                                                phi_1486_ = (_e807 | ((_e898 >> bitcast<u32>(5i)) << bitcast<u32>((_e905 & 31u))));
+                                                let _e977 = phi_1511_;
+                                                phi_1516_ = (_e879 | ((_e970 >> bitcast<u32>(5i)) << bitcast<u32>((_e977 & 31u))));
                                             } else {
-                                                phi_1486_ = _e807;
+                                                phi_1516_ = _e879;
                                             }
-                                            let _e913 = phi_1486_;
-                                            phi_1487_ = _e913;
+                                            let _e985 = phi_1516_;
+                                            phi_1517_ = _e985;
                                         } else {
-                                            phi_1487_ = _e807;
+                                            phi_1517_ = _e879;
                                         }
-                                        let _e915 = phi_1487_;
-                                        phi_1488_ = _e915;
+                                        let _e987 = phi_1517_;
+                                        phi_1518_ = _e987;
                                     } else {
-                                        phi_1488_ = _e807;
+                                        phi_1518_ = _e879;
                                     }
-                                    let _e917 = phi_1488_;
-                                    phi_1358_ = (_e805 + 1u);
-                                    phi_1361_ = _e917;
+                                    let _e989 = phi_1518_;
+                                    phi_1388_ = (_e877 + 1u);
+                                    phi_1391_ = _e989;
                                 } else {
-                                    phi_1358_ = u32();
-                                    phi_1361_ = u32();
+                                    phi_1388_ = u32();
+                                    phi_1391_ = u32();
                                 }
-                                let _e920 = phi_1358_;
-                                let _e922 = phi_1361_;
+                                let _e992 = phi_1388_;
+                                let _e994 = phi_1391_;
                                 continue;
                                 continuing {
-                                    phi_1357_ = _e920;
-                                    phi_1360_ = _e922;
-                                    break if !(_e808);
+                                    phi_1387_ = _e992;
+                                    phi_1390_ = _e994;
+                                    break if !(_e880);
                                 }
                             }
-                            let _e926 = nodes.member[(0u + _e533)].links[0u];
-                            let _e930 = nodes.member[(0u + _e533)].frame[3u];
-                            let _e934 = local_4;
-                            if ((_e934 & 4278190080u) == 0u) {
+                            let _e998 = nodes.member[(0u + _e610)].links[0u];
+                            let _e1002 = nodes.member[(0u + _e610)].frame[3u];
+                            let _e1006 = local_3;
+                            if ((_e1006 & 4278190080u) == 0u) {
                             } else {
-                                let _e938 = local_2.group_mask;
-                                if ((_e938 & 4278190080u) == 0u) {
+                                let _e1010 = local_1.group_mask;
+                                if ((_e1010 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e942 = local_2.len;
-                                    if (_e942 < 32u) {
-                                        let _e945 = local_2.group;
-                                        let _e947 = local_2.len;
-                                        if (_e947 < 32u) {
+                                    let _e1014 = local_1.len;
+                                    if (_e1014 < 32u) {
+                                        let _e1017 = local_1.group;
+                                        let _e1019 = local_1.len;
+                                        if (_e1019 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_2.first[(0u + _e947)] = _e945;
-                                        let _e953 = local_2.group_mask;
-                                        let _e955 = local_2.len;
-                                        if (_e955 < 32u) {
+                                        local_1.first[(0u + _e1019)] = _e1017;
+                                        let _e1025 = local_1.group_mask;
+                                        let _e1027 = local_1.len;
+                                        if (_e1027 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_2.mask[(0u + _e955)] = _e953;
-                                        let _e962 = local_2.len;
-                                        local_2.len = (_e962 + 1u);
+                                        local_1.mask[(0u + _e1027)] = _e1025;
+                                        let _e1034 = local_1.len;
+                                        local_1.len = (_e1034 + 1u);
                                     }
                                 }
-                                local_2.group = (0u + _e926);
-                                let _e966 = local_5;
-                                local_2.group_mask = ((_e966 & 4278190080u) | (_e930 >> bitcast<u32>(24i)));
+                                local_1.group = (0u + _e998);
+                                let _e1038 = local_4;
+                                local_1.group_mask = ((_e1038 & 4278190080u) | (_e1002 >> bitcast<u32>(24i)));
                             }
-                            let _e971 = local_6;
-                            phi_1546_ = (_e971 & 16777215u);
+                            let _e1043 = local_5;
+                            phi_1576_ = (_e1043 & 16777215u);
                             loop {
-                                let _e974 = phi_1546_;
-                                let _e975 = (_e974 == 0u);
-                                local_7 = _e975;
-                                local_11 = _e975;
-                                if _e975 {
-                                    phi_1547_ = u32();
-                                    phi_2245_ = false;
-                                    phi_2246_ = false;
-                                    phi_2247_ = false;
+                                let _e1046 = phi_1576_;
+                                let _e1047 = (_e1046 == 0u);
+                                local_6 = _e1047;
+                                local_10 = _e1047;
+                                if _e1047 {
+                                    phi_1577_ = u32();
+                                    phi_2291_ = false;
+                                    phi_2292_ = false;
+                                    phi_2293_ = false;
                                 } else {
-                                    let _e978 = nodes.member[(0u + _e533)].links[1u];
-                                    let _e983 = ((0u + _e978) + select(firstTrailingBit(_e974), 32u, (_e974 == 0u)));
-                                    if (_e983 < _e78) {
+                                    let _e1050 = nodes.member[(0u + _e610)].links[1u];
+                                    let _e1055 = ((0u + _e1050) + select(firstTrailingBit(_e1046), 32u, (_e1046 == 0u)));
+                                    if (_e1055 < _e81) {
                                     } else {
                                         return;
                                     }
-                                    let _e990 = triangles.member[(0u + _e983)].v0_;
-                                    let _e993 = (_e990.x - _e120.origin.x);
-                                    let _e996 = (_e990.y - _e120.origin.y);
-                                    let _e999 = (_e990.z - _e120.origin.z);
-                                    if (_e360 == 0u) {
-                                        phi_1594_ = vec3<f32>(_e996, _e999, _e993);
+                                    let _e1062 = triangles.member[(0u + _e1055)].v0_;
+                                    let _e1064 = (_e1062.x - _e217);
+                                    let _e1066 = (_e1062.y - _e219);
+                                    let _e1068 = (_e1062.z - _e221);
+                                    if (_e445 == 0u) {
+                                        phi_1622_ = vec3<f32>(_e1066, _e1068, _e1064);
                                     } else {
-                                        if (_e360 == 1u) {
-                                            phi_1593_ = vec3<f32>(_e999, _e993, _e996);
+                                        if (_e445 == 1u) {
+                                            phi_1621_ = vec3<f32>(_e1068, _e1064, _e1066);
                                         } else {
-                                            phi_1593_ = (_e990 - _e120.origin);
+                                            phi_1621_ = (_e1062 - vec3<f32>(_e217, _e219, _e221));
                                         }
-                                        let _e1006 = phi_1593_;
-                                        phi_1594_ = _e1006;
+                                        let _e1076 = phi_1621_;
+                                        phi_1622_ = _e1076;
                                     }
-                                    let _e1008 = phi_1594_;
-                                    let _e1012 = (_e1008.x - (_e379 * _e1008.z));
-                                    let _e1016 = (_e1008.y - (_e382 * _e1008.z));
-                                    let _e1020 = triangles.member[(0u + _e983)].v1_;
-                                    let _e1023 = (_e1020.x - _e120.origin.x);
-                                    let _e1026 = (_e1020.y - _e120.origin.y);
-                                    let _e1029 = (_e1020.z - _e120.origin.z);
-                                    if (_e360 == 0u) {
-                                        phi_1628_ = vec3<f32>(_e1026, _e1029, _e1023);
+                                    let _e1078 = phi_1622_;
+                                    let _e1082 = (_e1078.x - (_e456 * _e1078.z));
+                                    let _e1086 = (_e1078.y - (_e459 * _e1078.z));
+                                    let _e1090 = triangles.member[(0u + _e1055)].v1_;
+                                    let _e1092 = (_e1090.x - _e217);
+                                    let _e1094 = (_e1090.y - _e219);
+                                    let _e1096 = (_e1090.z - _e221);
+                                    if (_e445 == 0u) {
+                                        phi_1654_ = vec3<f32>(_e1094, _e1096, _e1092);
                                     } else {
-                                        if (_e360 == 1u) {
-                                            phi_1627_ = vec3<f32>(_e1029, _e1023, _e1026);
+                                        if (_e445 == 1u) {
+                                            phi_1653_ = vec3<f32>(_e1096, _e1092, _e1094);
                                         } else {
-                                            phi_1627_ = (_e1020 - _e120.origin);
+                                            phi_1653_ = (_e1090 - vec3<f32>(_e217, _e219, _e221));
                                         }
-                                        let _e1036 = phi_1627_;
-                                        phi_1628_ = _e1036;
+                                        let _e1104 = phi_1653_;
+                                        phi_1654_ = _e1104;
                                     }
-                                    let _e1038 = phi_1628_;
-                                    let _e1042 = (_e1038.x - (_e379 * _e1038.z));
-                                    let _e1046 = (_e1038.y - (_e382 * _e1038.z));
-                                    let _e1050 = triangles.member[(0u + _e983)].v2_;
-                                    let _e1053 = (_e1050.x - _e120.origin.x);
-                                    let _e1056 = (_e1050.y - _e120.origin.y);
-                                    let _e1059 = (_e1050.z - _e120.origin.z);
-                                    if (_e360 == 0u) {
-                                        phi_1662_ = vec3<f32>(_e1056, _e1059, _e1053);
+                                    let _e1106 = phi_1654_;
+                                    let _e1110 = (_e1106.x - (_e456 * _e1106.z));
+                                    let _e1114 = (_e1106.y - (_e459 * _e1106.z));
+                                    let _e1118 = triangles.member[(0u + _e1055)].v2_;
+                                    let _e1120 = (_e1118.x - _e217);
+                                    let _e1122 = (_e1118.y - _e219);
+                                    let _e1124 = (_e1118.z - _e221);
+                                    if (_e445 == 0u) {
+                                        phi_1686_ = vec3<f32>(_e1122, _e1124, _e1120);
                                     } else {
-                                        if (_e360 == 1u) {
-                                            phi_1661_ = vec3<f32>(_e1059, _e1053, _e1056);
+                                        if (_e445 == 1u) {
+                                            phi_1685_ = vec3<f32>(_e1124, _e1120, _e1122);
                                         } else {
-                                            phi_1661_ = (_e1050 - _e120.origin);
+                                            phi_1685_ = (_e1118 - vec3<f32>(_e217, _e219, _e221));
                                         }
-                                        let _e1066 = phi_1661_;
-                                        phi_1662_ = _e1066;
+                                        let _e1132 = phi_1685_;
+                                        phi_1686_ = _e1132;
                                     }
-                                    let _e1068 = phi_1662_;
-                                    let _e1072 = (_e1068.x - (_e379 * _e1068.z));
-                                    let _e1076 = (_e1068.y - (_e382 * _e1068.z));
-                                    if (_e1042 < _e1072) {
-                                        phi_1683_ = true;
+                                    let _e1134 = phi_1686_;
+                                    let _e1138 = (_e1134.x - (_e456 * _e1134.z));
+                                    let _e1142 = (_e1134.y - (_e459 * _e1134.z));
+                                    if (_e1110 < _e1138) {
+                                        phi_1707_ = true;
                                     } else {
-                                        if (_e1042 == _e1072) {
-                                            phi_1682_ = (_e1046 < _e1076);
+                                        if (_e1110 == _e1138) {
+                                            phi_1706_ = (_e1114 < _e1142);
                                         } else {
-                                            phi_1682_ = false;
+                                            phi_1706_ = false;
                                         }
-                                        let _e1083 = phi_1682_;
-                                        phi_1683_ = _e1083;
+                                        let _e1149 = phi_1706_;
+                                        phi_1707_ = _e1149;
                                     }
-                                    let _e1085 = phi_1683_;
-                                    if _e1085 {
-                                        phi_1687_ = _e1076;
-                                        phi_1688_ = _e1072;
-                                        phi_1689_ = _e1046;
-                                        phi_1690_ = _e1042;
+                                    let _e1151 = phi_1707_;
+                                    if _e1151 {
+                                        phi_1711_ = _e1142;
+                                        phi_1712_ = _e1138;
+                                        phi_1713_ = _e1114;
+                                        phi_1714_ = _e1110;
                                     } else {
-                                        phi_1687_ = _e1046;
-                                        phi_1688_ = _e1042;
-                                        phi_1689_ = _e1076;
-                                        phi_1690_ = _e1072;
+                                        phi_1711_ = _e1114;
+                                        phi_1712_ = _e1110;
+                                        phi_1713_ = _e1142;
+                                        phi_1714_ = _e1138;
                                     }
-                                    let _e1087 = phi_1687_;
-                                    let _e1089 = phi_1688_;
-                                    let _e1091 = phi_1689_;
-                                    let _e1093 = phi_1690_;
-                                    let _e1096 = ((_e1093 * _e1087) - (_e1091 * _e1089));
-                                    if _e1085 {
-                                        phi_1698_ = -(_e1096);
+                                    let _e1153 = phi_1711_;
+                                    let _e1155 = phi_1712_;
+                                    let _e1157 = phi_1713_;
+                                    let _e1159 = phi_1714_;
+                                    let _e1162 = ((_e1159 * _e1153) - (_e1157 * _e1155));
+                                    if _e1151 {
+                                        phi_1722_ = -(_e1162);
                                     } else {
-                                        phi_1698_ = _e1096;
+                                        phi_1722_ = _e1162;
                                     }
-                                    let _e1099 = phi_1698_;
-                                    if (_e1072 < _e1012) {
-                                        phi_1709_ = true;
+                                    let _e1165 = phi_1722_;
+                                    if (_e1138 < _e1082) {
+                                        phi_1733_ = true;
                                     } else {
-                                        if (_e1072 == _e1012) {
-                                            phi_1708_ = (_e1076 < _e1016);
+                                        if (_e1138 == _e1082) {
+                                            phi_1732_ = (_e1142 < _e1086);
                                         } else {
-                                            phi_1708_ = false;
+                                            phi_1732_ = false;
                                         }
-                                        let _e1104 = phi_1708_;
-                                        phi_1709_ = _e1104;
+                                        let _e1170 = phi_1732_;
+                                        phi_1733_ = _e1170;
                                     }
-                                    let _e1106 = phi_1709_;
-                                    if _e1106 {
-                                        phi_1713_ = _e1016;
-                                        phi_1714_ = _e1012;
-                                        phi_1715_ = _e1076;
-                                        phi_1716_ = _e1072;
+                                    let _e1172 = phi_1733_;
+                                    if _e1172 {
+                                        phi_1737_ = _e1086;
+                                        phi_1738_ = _e1082;
+                                        phi_1739_ = _e1142;
+                                        phi_1740_ = _e1138;
                                     } else {
-                                        phi_1713_ = _e1076;
-                                        phi_1714_ = _e1072;
-                                        phi_1715_ = _e1016;
-                                        phi_1716_ = _e1012;
+                                        phi_1737_ = _e1142;
+                                        phi_1738_ = _e1138;
+                                        phi_1739_ = _e1086;
+                                        phi_1740_ = _e1082;
                                     }
-                                    let _e1108 = phi_1713_;
-                                    let _e1110 = phi_1714_;
-                                    let _e1112 = phi_1715_;
-                                    let _e1114 = phi_1716_;
-                                    let _e1117 = ((_e1114 * _e1108) - (_e1112 * _e1110));
-                                    if _e1106 {
-                                        phi_1724_ = -(_e1117);
+                                    let _e1174 = phi_1737_;
+                                    let _e1176 = phi_1738_;
+                                    let _e1178 = phi_1739_;
+                                    let _e1180 = phi_1740_;
+                                    let _e1183 = ((_e1180 * _e1174) - (_e1178 * _e1176));
+                                    if _e1172 {
+                                        phi_1748_ = -(_e1183);
                                     } else {
-                                        phi_1724_ = _e1117;
+                                        phi_1748_ = _e1183;
                                     }
-                                    let _e1120 = phi_1724_;
-                                    if (_e1012 < _e1042) {
-                                        phi_1735_ = true;
+                                    let _e1186 = phi_1748_;
+                                    if (_e1082 < _e1110) {
+                                        phi_1759_ = true;
                                     } else {
-                                        if (_e1012 == _e1042) {
-                                            phi_1734_ = (_e1016 < _e1046);
+                                        if (_e1082 == _e1110) {
+                                            phi_1758_ = (_e1086 < _e1114);
                                         } else {
-                                            phi_1734_ = false;
+                                            phi_1758_ = false;
                                         }
-                                        let _e1125 = phi_1734_;
-                                        phi_1735_ = _e1125;
+                                        let _e1191 = phi_1758_;
+                                        phi_1759_ = _e1191;
                                     }
-                                    let _e1127 = phi_1735_;
-                                    if _e1127 {
-                                        phi_1739_ = _e1046;
-                                        phi_1740_ = _e1042;
-                                        phi_1741_ = _e1016;
-                                        phi_1742_ = _e1012;
+                                    let _e1193 = phi_1759_;
+                                    if _e1193 {
+                                        phi_1763_ = _e1114;
+                                        phi_1764_ = _e1110;
+                                        phi_1765_ = _e1086;
+                                        phi_1766_ = _e1082;
                                     } else {
-                                        phi_1739_ = _e1016;
-                                        phi_1740_ = _e1012;
-                                        phi_1741_ = _e1046;
-                                        phi_1742_ = _e1042;
+                                        phi_1763_ = _e1086;
+                                        phi_1764_ = _e1082;
+                                        phi_1765_ = _e1114;
+                                        phi_1766_ = _e1110;
                                     }
-                                    let _e1129 = phi_1739_;
-                                    let _e1131 = phi_1740_;
-                                    let _e1133 = phi_1741_;
-                                    let _e1135 = phi_1742_;
-                                    let _e1138 = ((_e1135 * _e1129) - (_e1133 * _e1131));
-                                    if _e1127 {
-                                        phi_1750_ = -(_e1138);
+                                    let _e1195 = phi_1763_;
+                                    let _e1197 = phi_1764_;
+                                    let _e1199 = phi_1765_;
+                                    let _e1201 = phi_1766_;
+                                    let _e1204 = ((_e1201 * _e1195) - (_e1199 * _e1197));
+                                    if _e1193 {
+                                        phi_1774_ = -(_e1204);
                                     } else {
-                                        phi_1750_ = _e1138;
+                                        phi_1774_ = _e1204;
                                     }
-                                    let _e1141 = phi_1750_;
-                                    if (_e1099 >= 0f) {
-                                        if (_e1120 >= 0f) {
-                                            if (_e1141 >= 0f) {
-                                                phi_1765_ = ((_e1099 + _e1120) + _e1141);
-                                                phi_1766_ = false;
-                                            } else {
-                                                phi_1765_ = f32();
-                                                phi_1766_ = true;
-                                            }
-                                            let _e1148 = phi_1765_;
-                                            let _e1150 = phi_1766_;
-                                            phi_1767_ = _e1148;
-                                            phi_1768_ = _e1150;
-                                        } else {
-                                            phi_1767_ = f32();
-                                            phi_1768_ = true;
-                                        }
-                                        let _e1152 = phi_1767_;
-                                        let _e1154 = phi_1768_;
-                                        phi_1769_ = _e1152;
-                                        phi_1770_ = _e1154;
-                                    } else {
-                                        phi_1769_ = f32();
-                                        phi_1770_ = true;
-                                    }
-                                    let _e1156 = phi_1769_;
-                                    let _e1158 = phi_1770_;
-                                    if _e1158 {
-                                        if (_e1099 <= 0f) {
-                                            if (_e1120 <= 0f) {
-                                                let _e1161 = (_e1141 <= 0f);
-                                                if _e1161 {
-                                                }
-                                                phi_1788_ = ((_e1099 + _e1120) + _e1141);
-                                                phi_1789_ = false;
-                                                phi_1790_ = _e1161;
-                                            } else {
-                                                phi_1788_ = f32();
-                                                phi_1789_ = true;
+                                    let _e1207 = phi_1774_;
+                                    if (_e1165 >= 0f) {
+                                        if (_e1186 >= 0f) {
+                                            if (_e1207 >= 0f) {
+                                                phi_1789_ = ((_e1165 + _e1186) + _e1207);
                                                 phi_1790_ = false;
+                                            } else {
+                                                phi_1789_ = f32();
+                                                phi_1790_ = true;
                                             }
-                                            let _e1165 = phi_1788_;
-                                            let _e1167 = phi_1789_;
-                                            let _e1169 = phi_1790_;
-                                            phi_1791_ = _e1165;
-                                            phi_1792_ = _e1167;
-                                            phi_1793_ = _e1169;
+                                            let _e1214 = phi_1789_;
+                                            let _e1216 = phi_1790_;
+                                            phi_1791_ = _e1214;
+                                            phi_1792_ = _e1216;
                                         } else {
                                             phi_1791_ = f32();
                                             phi_1792_ = true;
-                                            phi_1793_ = false;
                                         }
-                                        let _e1171 = phi_1791_;
-                                        let _e1173 = phi_1792_;
-                                        let _e1175 = phi_1793_;
-                                        if _e1173 {
-                                            phi_1797_ = false;
-                                        } else {
-                                            phi_1797_ = _e1175;
-                                        }
-                                        let _e1177 = phi_1797_;
-                                        phi_1798_ = _e1171;
-                                        phi_1799_ = _e1177;
+                                        let _e1218 = phi_1791_;
+                                        let _e1220 = phi_1792_;
+                                        phi_1793_ = _e1218;
+                                        phi_1794_ = _e1220;
                                     } else {
-                                        phi_1798_ = _e1156;
-                                        phi_1799_ = true;
+                                        phi_1793_ = f32();
+                                        phi_1794_ = true;
                                     }
-                                    let _e1179 = phi_1798_;
-                                    let _e1181 = phi_1799_;
-                                    if _e1181 {
-                                        let _e1182 = (_e1179 == 0f);
-                                        if _e1182 {
-                                            phi_2003_ = lt_bvh_triangle_Intersection();
-                                        } else {
-                                            let _e1188 = ((((_e1099 * (_e384 * _e1008.z)) + (_e1120 * (_e384 * _e1038.z))) + (_e1141 * (_e384 * _e1068.z))) / _e1179);
-                                            let _e1190 = triangles.member[(0u + _e983)].v0_;
-                                            let _e1192 = triangles.member[(0u + _e983)].v1_;
-                                            if (_e1190.x < _e1192.x) {
-                                                phi_1825_ = _e1190.x;
-                                            } else {
-                                                phi_1825_ = _e1192.x;
-                                            }
-                                            let _e1199 = phi_1825_;
-                                            if (_e1190.y < _e1192.y) {
-                                                phi_1834_ = _e1190.y;
-                                            } else {
-                                                phi_1834_ = _e1192.y;
-                                            }
-                                            let _e1206 = phi_1834_;
-                                            if (_e1190.z < _e1192.z) {
-                                                phi_1843_ = _e1190.z;
-                                            } else {
-                                                phi_1843_ = _e1192.z;
-                                            }
-                                            let _e1213 = phi_1843_;
-                                            let _e1215 = triangles.member[(0u + _e983)].v2_;
-                                            if (_e1199 < _e1215.x) {
-                                                phi_1852_ = _e1199;
-                                            } else {
-                                                phi_1852_ = _e1215.x;
-                                            }
-                                            let _e1220 = phi_1852_;
-                                            if (_e1206 < _e1215.y) {
-                                                phi_1859_ = _e1206;
-                                            } else {
-                                                phi_1859_ = _e1215.y;
-                                            }
-                                            let _e1225 = phi_1859_;
-                                            if (_e1213 < _e1215.z) {
-                                                phi_1866_ = _e1213;
-                                            } else {
-                                                phi_1866_ = _e1215.z;
-                                            }
-                                            let _e1230 = phi_1866_;
-                                            let _e1232 = triangles.member[(0u + _e983)].v0_;
-                                            let _e1234 = triangles.member[(0u + _e983)].v1_;
-                                            if (_e1232.x > _e1234.x) {
-                                                phi_1879_ = _e1232.x;
-                                            } else {
-                                                phi_1879_ = _e1234.x;
-                                            }
-                                            let _e1241 = phi_1879_;
-                                            if (_e1232.y > _e1234.y) {
-                                                phi_1888_ = _e1232.y;
-                                            } else {
-                                                phi_1888_ = _e1234.y;
-                                            }
-                                            let _e1248 = phi_1888_;
-                                            if (_e1232.z > _e1234.z) {
-                                                phi_1897_ = _e1232.z;
-                                            } else {
-                                                phi_1897_ = _e1234.z;
-                                            }
-                                            let _e1255 = phi_1897_;
-                                            let _e1257 = triangles.member[(0u + _e983)].v2_;
-                                            if (_e1241 > _e1257.x) {
-                                                phi_1906_ = _e1241;
-                                            } else {
-                                                phi_1906_ = _e1257.x;
-                                            }
-                                            let _e1262 = phi_1906_;
-                                            if (_e1248 > _e1257.y) {
-                                                phi_1913_ = _e1248;
-                                            } else {
-                                                phi_1913_ = _e1257.y;
-                                            }
-                                            let _e1267 = phi_1913_;
-                                            if (_e1255 > _e1257.z) {
-                                                phi_1920_ = _e1255;
-                                            } else {
-                                                phi_1920_ = _e1257.z;
-                                            }
-                                            let _e1272 = phi_1920_;
-                                            let _e1279 = ((_e1220 - _e120.origin.x) * _e272);
-                                            let _e1280 = ((_e1225 - _e120.origin.y) * _e284);
-                                            let _e1281 = ((_e1230 - _e120.origin.z) * _e296);
-                                            let _e1288 = ((_e1262 - _e120.origin.x) * _e272);
-                                            let _e1289 = ((_e1267 - _e120.origin.y) * _e284);
-                                            let _e1290 = ((_e1272 - _e120.origin.z) * _e296);
-                                            if (_e1279 < _e1288) {
-                                                phi_1943_ = _e1279;
-                                            } else {
-                                                phi_1943_ = _e1288;
-                                            }
-                                            let _e1293 = phi_1943_;
-                                            if (_e1280 < _e1289) {
-                                                phi_1948_ = _e1280;
-                                            } else {
-                                                phi_1948_ = _e1289;
-                                            }
-                                            let _e1296 = phi_1948_;
-                                            if (_e1281 < _e1290) {
-                                                phi_1953_ = _e1281;
-                                            } else {
-                                                phi_1953_ = _e1290;
-                                            }
-                                            let _e1299 = phi_1953_;
-                                            if (_e1279 > _e1288) {
-                                                phi_1961_ = _e1279;
-                                            } else {
-                                                phi_1961_ = _e1288;
-                                            }
-                                            let _e1305 = phi_1961_;
-                                            if (_e1280 > _e1289) {
-                                                phi_1966_ = _e1280;
-                                            } else {
-                                                phi_1966_ = _e1289;
-                                            }
-                                            let _e1308 = phi_1966_;
-                                            if (_e1281 > _e1290) {
-                                                phi_1971_ = _e1281;
-                                            } else {
-                                                phi_1971_ = _e1290;
-                                            }
-                                            let _e1311 = phi_1971_;
-                                            let _e1315 = core_intrinsics_maximum_number_nsz_f32_((_e1293 - _e340), (_e1296 - _e341));
-                                            let _e1316 = core_intrinsics_maximum_number_nsz_f32_(_e1315, (_e1299 - _e342));
-                                            let _e1317 = core_intrinsics_minimum_number_nsz_f32_((_e1305 + _e340), (_e1308 + _e341));
-                                            let _e1318 = core_intrinsics_minimum_number_nsz_f32_(_e1317, (_e1311 + _e342));
-                                            if (_e1316 > -300000000000000000000000000000000000000f) {
-                                                phi_1983_ = _e1316;
-                                            } else {
-                                                phi_1983_ = -300000000000000000000000000000000000000f;
-                                            }
-                                            let _e1321 = phi_1983_;
-                                            if (_e1318 < 300000000000000000000000000000000000000f) {
-                                                phi_1988_ = _e1318;
-                                            } else {
-                                                phi_1988_ = 300000000000000000000000000000000000000f;
-                                            }
-                                            let _e1324 = phi_1988_;
-                                            if (_e1188 < _e1321) {
-                                                phi_1993_ = _e1321;
-                                            } else {
-                                                phi_1993_ = _e1188;
-                                            }
-                                            let _e1327 = phi_1993_;
-                                            if (_e1327 > _e1324) {
-                                                phi_1998_ = _e1324;
-                                            } else {
-                                                phi_1998_ = _e1327;
-                                            }
-                                            let _e1330 = phi_1998_;
-                                            phi_2003_ = lt_bvh_triangle_Intersection(_e1330, (_e1120 / _e1179), (_e1141 / _e1179), (_e1321 <= _e1324));
-                                        }
-                                        let _e1336 = phi_2003_;
-                                        phi_2004_ = _e1336;
-                                        phi_2005_ = _e1182;
-                                    } else {
-                                        phi_2004_ = lt_bvh_triangle_Intersection();
-                                        phi_2005_ = true;
-                                    }
-                                    let _e1338 = phi_2004_;
-                                    let _e1340 = phi_2005_;
-                                    if _e1340 {
-                                        phi_2009_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                    } else {
-                                        phi_2009_ = _e1338;
-                                    }
-                                    let _e1342 = phi_2009_;
-                                    if _e1342.is_hit {
-                                        if (_e1342.t > _e120.tmin) {
-                                            if (_e1342.t < _e120.tmax) {
-                                                let _e1351 = triangles.member[(0u + _e983)].i0_;
-                                                let _e1353 = ((_e1351 & 2147483648u) == 0u);
-                                                if _e1353 {
-                                                    phi_2229_ = false;
-                                                    phi_2230_ = false;
-                                                } else {
-                                                    if (_e983 < _e78) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1360 = triangles.member[(0u + _e983)].i0_;
-                                                    let _e1361 = (_e1360 & 2147483647u);
-                                                    let _e1363 = triangles.member[(0u + _e983)].i1_;
-                                                    let _e1365 = triangles.member[(0u + _e983)].i2_;
-                                                    if (_e1361 < _e84) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1369 = vertices.member[(0u + _e1361)];
-                                                    if (_e1363 < _e84) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1373 = vertices.member[(0u + _e1363)];
-                                                    if (_e1365 < _e84) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1377 = vertices.member[(0u + _e1365)];
-                                                    let _e1378 = array<abi_Vertex, 3>(_e1369, _e1373, _e1377);
-                                                    local_1 = array<abi_Vertex, 3>(abi_Vertex(_e1378[0].u, _e1378[0].v, _e1378[0].normal, _e1378[0].color, _e1378[0].material), abi_Vertex(_e1378[1].u, _e1378[1].v, _e1378[1].normal, _e1378[1].color, _e1378[1].material), abi_Vertex(_e1378[2].u, _e1378[2].v, _e1378[2].normal, _e1378[2].color, _e1378[2].material));
-                                                    let _e1403 = local_1[0u].material;
-                                                    if (_e1403 < arrayLength((&materials.member))) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1407 = materials.member[(0u + _e1403)];
-                                                    if ((_e1407.flags & 1u) == 1u) {
-                                                        let _e1411 = lt_shaders_surface_barycentric_weights(_e1342.u, _e1342.v);
-                                                        if (_e1407.cutoff <= 0f) {
-                                                            phi_2223_ = true;
-                                                        } else {
-                                                            let _e1416 = lt_shaders_surface_vertex_color((&local_1), _e1411);
-                                                            let _e1418 = (_e1407.base_color.w * _e1416.w);
-                                                            if (_e1407.alpha_size == 0u) {
-                                                                phi_2220_ = _e1418;
-                                                            } else {
-                                                                local.offset = _e1407.alpha_offset;
-                                                                local.size = _e1407.alpha_size;
-                                                                local.flags = _e1407.flags;
-                                                                let _e1427 = lt_shaders_surface_texture_coordinate((&local_1), _e1411);
-                                                                let _e1430 = _lt_shaders_texture_TextureView_quad((&local), _e1427.x, _e1427.y);
-                                                                let _e1434 = (_e1430.indices[0] >> bitcast<u32>(2i));
-                                                                if (_e1434 < _e90) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1438 = alpha_texels.member[(0u + _e1434)];
-                                                                let _e1454 = (_e1430.indices[1] >> bitcast<u32>(2i));
-                                                                if (_e1454 < _e90) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1458 = alpha_texels.member[(0u + _e1454)];
-                                                                let _e1475 = (_e1430.indices[2] >> bitcast<u32>(2i));
-                                                                if (_e1475 < _e90) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1479 = alpha_texels.member[(0u + _e1475)];
-                                                                let _e1496 = (_e1430.indices[3] >> bitcast<u32>(2i));
-                                                                if (_e1496 < _e90) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1500 = alpha_texels.member[(0u + _e1496)];
-                                                                phi_2220_ = (_e1418 * (((((f32(((_e1438 >> bitcast<u32>((((_e1430.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1430.weights.x) + ((f32(((_e1458 >> bitcast<u32>((((_e1430.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1430.weights.y)) + ((f32(((_e1479 >> bitcast<u32>((((_e1430.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1430.weights.z)) + ((f32(((_e1500 >> bitcast<u32>((((_e1430.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1430.weights.w)));
-                                                            }
-                                                            let _e1516 = phi_2220_;
-                                                            phi_2223_ = (_e1516 >= _e1407.cutoff);
-                                                        }
-                                                        let _e1520 = phi_2223_;
-                                                        phi_2224_ = _e1520;
-                                                    } else {
-                                                        phi_2224_ = false;
-                                                    }
-                                                    let _e1522 = phi_2224_;
-                                                    if _e1522 {
-                                                        phi_2228_ = false;
-                                                    } else {
-                                                        phi_2228_ = true;
-                                                    }
-                                                    let _e1524 = phi_2228_;
-                                                    phi_2229_ = _e1524;
-                                                    phi_2230_ = _e1522;
+                                    let _e1222 = phi_1793_;
+                                    let _e1224 = phi_1794_;
+                                    if _e1224 {
+                                        if (_e1165 <= 0f) {
+                                            if (_e1186 <= 0f) {
+                                                let _e1227 = (_e1207 <= 0f);
+                                                if _e1227 {
                                                 }
-                                                let _e1526 = phi_2229_;
-                                                let _e1528 = phi_2230_;
-                                                phi_2231_ = _e1526;
-                                                phi_2232_ = _e1353;
-                                                phi_2233_ = _e1528;
+                                                phi_1812_ = ((_e1165 + _e1186) + _e1207);
+                                                phi_1813_ = false;
+                                                phi_1814_ = _e1227;
                                             } else {
-                                                phi_2231_ = true;
-                                                phi_2232_ = false;
-                                                phi_2233_ = false;
+                                                phi_1812_ = f32();
+                                                phi_1813_ = true;
+                                                phi_1814_ = false;
                                             }
-                                            let _e1530 = phi_2231_;
-                                            let _e1532 = phi_2232_;
-                                            let _e1534 = phi_2233_;
-                                            phi_2234_ = _e1530;
-                                            phi_2235_ = _e1532;
-                                            phi_2236_ = _e1534;
+                                            let _e1231 = phi_1812_;
+                                            let _e1233 = phi_1813_;
+                                            let _e1235 = phi_1814_;
+                                            phi_1815_ = _e1231;
+                                            phi_1816_ = _e1233;
+                                            phi_1817_ = _e1235;
                                         } else {
-                                            phi_2234_ = true;
-                                            phi_2235_ = false;
-                                            phi_2236_ = false;
+                                            phi_1815_ = f32();
+                                            phi_1816_ = true;
+                                            phi_1817_ = false;
                                         }
-                                        let _e1536 = phi_2234_;
-                                        let _e1538 = phi_2235_;
-                                        let _e1540 = phi_2236_;
-                                        phi_2237_ = _e1536;
-                                        phi_2238_ = _e1538;
-                                        phi_2239_ = _e1540;
+                                        let _e1237 = phi_1815_;
+                                        let _e1239 = phi_1816_;
+                                        let _e1241 = phi_1817_;
+                                        if _e1239 {
+                                            phi_1821_ = false;
+                                        } else {
+                                            phi_1821_ = _e1241;
+                                        }
+                                        let _e1243 = phi_1821_;
+                                        phi_1822_ = _e1237;
+                                        phi_1823_ = _e1243;
                                     } else {
-                                        phi_2237_ = true;
-                                        phi_2238_ = false;
-                                        phi_2239_ = false;
+                                        phi_1822_ = _e1222;
+                                        phi_1823_ = true;
                                     }
-                                    let _e1542 = phi_2237_;
-                                    let _e1544 = phi_2238_;
-                                    let _e1546 = phi_2239_;
-                                    if _e1542 {
-                                        phi_2243_ = false;
-                                        phi_2244_ = false;
+                                    let _e1245 = phi_1822_;
+                                    let _e1247 = phi_1823_;
+                                    if _e1247 {
+                                        let _e1248 = (_e1245 == 0f);
+                                        if _e1248 {
+                                            phi_2036_ = lt_bvh_triangle_Intersection();
+                                            phi_2037_ = false;
+                                        } else {
+                                            let _e1254 = ((((_e1165 * (_e461 * _e1078.z)) + (_e1186 * (_e461 * _e1106.z))) + (_e1207 * (_e461 * _e1134.z))) / _e1245);
+                                            if (_e1254 > 0f) {
+                                                if (_e1254 < _e225) {
+                                                    let _e1258 = triangles.member[(0u + _e1055)].v0_;
+                                                    let _e1260 = triangles.member[(0u + _e1055)].v1_;
+                                                    if (_e1258.x < _e1260.x) {
+                                                        phi_1857_ = _e1258.x;
+                                                    } else {
+                                                        phi_1857_ = _e1260.x;
+                                                    }
+                                                    let _e1267 = phi_1857_;
+                                                    if (_e1258.y < _e1260.y) {
+                                                        phi_1866_ = _e1258.y;
+                                                    } else {
+                                                        phi_1866_ = _e1260.y;
+                                                    }
+                                                    let _e1274 = phi_1866_;
+                                                    if (_e1258.z < _e1260.z) {
+                                                        phi_1875_ = _e1258.z;
+                                                    } else {
+                                                        phi_1875_ = _e1260.z;
+                                                    }
+                                                    let _e1281 = phi_1875_;
+                                                    let _e1283 = triangles.member[(0u + _e1055)].v2_;
+                                                    if (_e1267 < _e1283.x) {
+                                                        phi_1884_ = _e1267;
+                                                    } else {
+                                                        phi_1884_ = _e1283.x;
+                                                    }
+                                                    let _e1288 = phi_1884_;
+                                                    if (_e1274 < _e1283.y) {
+                                                        phi_1891_ = _e1274;
+                                                    } else {
+                                                        phi_1891_ = _e1283.y;
+                                                    }
+                                                    let _e1293 = phi_1891_;
+                                                    if (_e1281 < _e1283.z) {
+                                                        phi_1898_ = _e1281;
+                                                    } else {
+                                                        phi_1898_ = _e1283.z;
+                                                    }
+                                                    let _e1298 = phi_1898_;
+                                                    let _e1300 = triangles.member[(0u + _e1055)].v0_;
+                                                    let _e1302 = triangles.member[(0u + _e1055)].v1_;
+                                                    if (_e1300.x > _e1302.x) {
+                                                        phi_1911_ = _e1300.x;
+                                                    } else {
+                                                        phi_1911_ = _e1302.x;
+                                                    }
+                                                    let _e1309 = phi_1911_;
+                                                    if (_e1300.y > _e1302.y) {
+                                                        phi_1920_ = _e1300.y;
+                                                    } else {
+                                                        phi_1920_ = _e1302.y;
+                                                    }
+                                                    let _e1316 = phi_1920_;
+                                                    if (_e1300.z > _e1302.z) {
+                                                        phi_1929_ = _e1300.z;
+                                                    } else {
+                                                        phi_1929_ = _e1302.z;
+                                                    }
+                                                    let _e1323 = phi_1929_;
+                                                    let _e1325 = triangles.member[(0u + _e1055)].v2_;
+                                                    if (_e1309 > _e1325.x) {
+                                                        phi_1938_ = _e1309;
+                                                    } else {
+                                                        phi_1938_ = _e1325.x;
+                                                    }
+                                                    let _e1330 = phi_1938_;
+                                                    if (_e1316 > _e1325.y) {
+                                                        phi_1945_ = _e1316;
+                                                    } else {
+                                                        phi_1945_ = _e1325.y;
+                                                    }
+                                                    let _e1335 = phi_1945_;
+                                                    if (_e1323 > _e1325.z) {
+                                                        phi_1952_ = _e1323;
+                                                    } else {
+                                                        phi_1952_ = _e1325.z;
+                                                    }
+                                                    let _e1340 = phi_1952_;
+                                                    let _e1344 = ((_e1288 - _e217) * _e374);
+                                                    let _e1345 = ((_e1293 - _e219) * _e384);
+                                                    let _e1346 = ((_e1298 - _e221) * _e394);
+                                                    let _e1350 = ((_e1330 - _e217) * _e374);
+                                                    let _e1351 = ((_e1335 - _e219) * _e384);
+                                                    let _e1352 = ((_e1340 - _e221) * _e394);
+                                                    if (_e1344 < _e1350) {
+                                                        phi_1969_ = _e1344;
+                                                    } else {
+                                                        phi_1969_ = _e1350;
+                                                    }
+                                                    let _e1355 = phi_1969_;
+                                                    if (_e1345 < _e1351) {
+                                                        phi_1974_ = _e1345;
+                                                    } else {
+                                                        phi_1974_ = _e1351;
+                                                    }
+                                                    let _e1358 = phi_1974_;
+                                                    if (_e1346 < _e1352) {
+                                                        phi_1979_ = _e1346;
+                                                    } else {
+                                                        phi_1979_ = _e1352;
+                                                    }
+                                                    let _e1361 = phi_1979_;
+                                                    if (_e1344 > _e1350) {
+                                                        phi_1987_ = _e1344;
+                                                    } else {
+                                                        phi_1987_ = _e1350;
+                                                    }
+                                                    let _e1367 = phi_1987_;
+                                                    if (_e1345 > _e1351) {
+                                                        phi_1992_ = _e1345;
+                                                    } else {
+                                                        phi_1992_ = _e1351;
+                                                    }
+                                                    let _e1370 = phi_1992_;
+                                                    if (_e1346 > _e1352) {
+                                                        phi_1997_ = _e1346;
+                                                    } else {
+                                                        phi_1997_ = _e1352;
+                                                    }
+                                                    let _e1373 = phi_1997_;
+                                                    let _e1377 = core_intrinsics_maximum_number_nsz_f32_((_e1355 - _e429), (_e1358 - _e430));
+                                                    let _e1378 = core_intrinsics_maximum_number_nsz_f32_(_e1377, (_e1361 - _e431));
+                                                    let _e1379 = core_intrinsics_minimum_number_nsz_f32_((_e1367 + _e429), (_e1370 + _e430));
+                                                    let _e1380 = core_intrinsics_minimum_number_nsz_f32_(_e1379, (_e1373 + _e431));
+                                                    if (_e1378 > -300000000000000000000000000000000000000f) {
+                                                        phi_2009_ = _e1378;
+                                                    } else {
+                                                        phi_2009_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1383 = phi_2009_;
+                                                    if (_e1380 < 300000000000000000000000000000000000000f) {
+                                                        phi_2014_ = _e1380;
+                                                    } else {
+                                                        phi_2014_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1386 = phi_2014_;
+                                                    if (_e1254 < _e1383) {
+                                                        phi_2019_ = _e1383;
+                                                    } else {
+                                                        phi_2019_ = _e1254;
+                                                    }
+                                                    let _e1389 = phi_2019_;
+                                                    if (_e1389 > _e1386) {
+                                                        phi_2024_ = _e1386;
+                                                    } else {
+                                                        phi_2024_ = _e1389;
+                                                    }
+                                                    let _e1392 = phi_2024_;
+                                                    phi_2029_ = lt_bvh_triangle_Intersection(_e1392, (_e1186 / _e1245), (_e1207 / _e1245), (_e1383 <= _e1386));
+                                                    phi_2030_ = false;
+                                                } else {
+                                                    phi_2029_ = lt_bvh_triangle_Intersection();
+                                                    phi_2030_ = true;
+                                                }
+                                                let _e1398 = phi_2029_;
+                                                let _e1400 = phi_2030_;
+                                                phi_2031_ = _e1398;
+                                                phi_2032_ = _e1400;
+                                            } else {
+                                                phi_2031_ = lt_bvh_triangle_Intersection();
+                                                phi_2032_ = true;
+                                            }
+                                            let _e1402 = phi_2031_;
+                                            let _e1404 = phi_2032_;
+                                            if _e1404 {
+                                            }
+                                            phi_2036_ = _e1402;
+                                            phi_2037_ = _e1404;
+                                        }
+                                        let _e1406 = phi_2036_;
+                                        let _e1408 = phi_2037_;
+                                        phi_2038_ = _e1406;
+                                        phi_2039_ = _e1248;
+                                        phi_2040_ = _e1408;
                                     } else {
-                                        phi_2243_ = _e1544;
-                                        phi_2244_ = _e1546;
+                                        phi_2038_ = lt_bvh_triangle_Intersection();
+                                        phi_2039_ = true;
+                                        phi_2040_ = false;
                                     }
-                                    let _e1548 = phi_2243_;
-                                    let _e1550 = phi_2244_;
-                                    phi_1547_ = (_e974 & (_e974 - 1u));
-                                    phi_2245_ = _e1542;
-                                    phi_2246_ = _e1548;
-                                    phi_2247_ = _e1550;
+                                    let _e1410 = phi_2038_;
+                                    let _e1412 = phi_2039_;
+                                    let _e1414 = phi_2040_;
+                                    if _e1412 {
+                                        phi_2044_ = true;
+                                    } else {
+                                        phi_2044_ = _e1414;
+                                    }
+                                    let _e1416 = phi_2044_;
+                                    if _e1416 {
+                                        phi_2048_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_2048_ = _e1410;
+                                    }
+                                    let _e1418 = phi_2048_;
+                                    if _e1418.is_hit {
+                                        if (_e1418.t > 0f) {
+                                            if (_e1418.t < _e225) {
+                                                let _e1425 = triangles.member[(0u + _e1055)].i0_;
+                                                let _e1427 = ((_e1425 & 2147483648u) == 0u);
+                                                if _e1427 {
+                                                    phi_2275_ = false;
+                                                    phi_2276_ = false;
+                                                } else {
+                                                    if (_e1055 < _e81) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1434 = triangles.member[(0u + _e1055)].i0_;
+                                                    let _e1435 = (_e1434 & 2147483647u);
+                                                    let _e1437 = triangles.member[(0u + _e1055)].i1_;
+                                                    let _e1439 = triangles.member[(0u + _e1055)].i2_;
+                                                    if (_e1435 < _e87) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1443 = vertices.member[(0u + _e1435)];
+                                                    if (_e1437 < _e87) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1447 = vertices.member[(0u + _e1437)];
+                                                    if (_e1439 < _e87) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1451 = vertices.member[(0u + _e1439)];
+                                                    let _e1452 = array<abi_Vertex, 3>(_e1443, _e1447, _e1451);
+                                                    if (_e1452[0].material < arrayLength((&materials.member))) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1458 = materials.member[(0u + _e1452[0].material)];
+                                                    if ((_e1458.flags & 1u) == 1u) {
+                                                        let _e1463 = ((1f - _e1418.u) - _e1418.v);
+                                                        if (_e1458.cutoff <= 0f) {
+                                                            phi_2269_ = true;
+                                                        } else {
+                                                            let _e1494 = (_e1458.base_color.w * ((((f32((_e1452[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1463) + ((f32((_e1452[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1418.u)) + ((f32((_e1452[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1418.v)));
+                                                            if (_e1458.alpha_size == 0u) {
+                                                                phi_2266_ = _e1494;
+                                                            } else {
+                                                                local.offset = _e1458.alpha_offset;
+                                                                local.size = _e1458.alpha_size;
+                                                                local.flags = _e1458.flags;
+                                                                let _e1525 = _lt_shaders_texture_TextureView_quad((&local), (((_e1452[0].u * _e1463) + (_e1452[1].u * _e1418.u)) + (_e1452[2].u * _e1418.v)), (((_e1452[0].v * _e1463) + (_e1452[1].v * _e1418.u)) + (_e1452[2].v * _e1418.v)));
+                                                                let _e1529 = (_e1525.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1529 < _e93) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1533 = alpha_texels.member[(0u + _e1529)];
+                                                                let _e1549 = (_e1525.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1549 < _e93) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1553 = alpha_texels.member[(0u + _e1549)];
+                                                                let _e1570 = (_e1525.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1570 < _e93) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1574 = alpha_texels.member[(0u + _e1570)];
+                                                                let _e1591 = (_e1525.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1591 < _e93) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1595 = alpha_texels.member[(0u + _e1591)];
+                                                                phi_2266_ = (_e1494 * (((((f32(((_e1533 >> bitcast<u32>((((_e1525.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1525.weights.x) + ((f32(((_e1553 >> bitcast<u32>((((_e1525.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1525.weights.y)) + ((f32(((_e1574 >> bitcast<u32>((((_e1525.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1525.weights.z)) + ((f32(((_e1595 >> bitcast<u32>((((_e1525.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1525.weights.w)));
+                                                            }
+                                                            let _e1611 = phi_2266_;
+                                                            phi_2269_ = (_e1611 >= _e1458.cutoff);
+                                                        }
+                                                        let _e1615 = phi_2269_;
+                                                        phi_2270_ = _e1615;
+                                                    } else {
+                                                        phi_2270_ = false;
+                                                    }
+                                                    let _e1617 = phi_2270_;
+                                                    if _e1617 {
+                                                        phi_2274_ = false;
+                                                    } else {
+                                                        phi_2274_ = true;
+                                                    }
+                                                    let _e1619 = phi_2274_;
+                                                    phi_2275_ = _e1619;
+                                                    phi_2276_ = _e1617;
+                                                }
+                                                let _e1621 = phi_2275_;
+                                                let _e1623 = phi_2276_;
+                                                phi_2277_ = _e1621;
+                                                phi_2278_ = _e1427;
+                                                phi_2279_ = _e1623;
+                                            } else {
+                                                phi_2277_ = true;
+                                                phi_2278_ = false;
+                                                phi_2279_ = false;
+                                            }
+                                            let _e1625 = phi_2277_;
+                                            let _e1627 = phi_2278_;
+                                            let _e1629 = phi_2279_;
+                                            phi_2280_ = _e1625;
+                                            phi_2281_ = _e1627;
+                                            phi_2282_ = _e1629;
+                                        } else {
+                                            phi_2280_ = true;
+                                            phi_2281_ = false;
+                                            phi_2282_ = false;
+                                        }
+                                        let _e1631 = phi_2280_;
+                                        let _e1633 = phi_2281_;
+                                        let _e1635 = phi_2282_;
+                                        phi_2283_ = _e1631;
+                                        phi_2284_ = _e1633;
+                                        phi_2285_ = _e1635;
+                                    } else {
+                                        phi_2283_ = true;
+                                        phi_2284_ = false;
+                                        phi_2285_ = false;
+                                    }
+                                    let _e1637 = phi_2283_;
+                                    let _e1639 = phi_2284_;
+                                    let _e1641 = phi_2285_;
+                                    if _e1637 {
+                                        phi_2289_ = false;
+                                        phi_2290_ = false;
+                                    } else {
+                                        phi_2289_ = _e1639;
+                                        phi_2290_ = _e1641;
+                                    }
+                                    let _e1643 = phi_2289_;
+                                    let _e1645 = phi_2290_;
+                                    phi_1577_ = (_e1046 & (_e1046 - 1u));
+                                    phi_2291_ = _e1637;
+                                    phi_2292_ = _e1643;
+                                    phi_2293_ = _e1645;
                                 }
-                                let _e1552 = phi_1547_;
-                                let _e1554 = phi_2245_;
-                                let _e1556 = phi_2246_;
-                                let _e1558 = phi_2247_;
-                                local_9 = _e1556;
-                                local_10 = _e1558;
+                                let _e1647 = phi_1577_;
+                                let _e1649 = phi_2291_;
+                                let _e1651 = phi_2292_;
+                                let _e1653 = phi_2293_;
+                                local_8 = _e1651;
+                                local_9 = _e1653;
                                 continue;
                                 continuing {
-                                    phi_1546_ = _e1552;
-                                    break if !(_e1554);
+                                    phi_1576_ = _e1647;
+                                    break if !(_e1649);
                                 }
                             }
-                            let _e1561 = local_7;
-                            if _e1561 {
-                                let _e1563 = local_2.group_mask;
-                                if ((_e1563 & 4278190080u) == 0u) {
-                                    let _e1567 = local_2.len;
-                                    if (_e1567 == 0u) {
-                                        phi_2289_ = false;
+                            let _e1656 = local_6;
+                            if _e1656 {
+                                let _e1658 = local_1.group_mask;
+                                if ((_e1658 & 4278190080u) == 0u) {
+                                    let _e1662 = local_1.len;
+                                    if (_e1662 == 0u) {
+                                        phi_2335_ = false;
                                     } else {
-                                        let _e1571 = local_2.len;
-                                        local_2.len = (_e1571 - 1u);
-                                        let _e1574 = local_2.len;
-                                        if (_e1574 < 32u) {
+                                        let _e1666 = local_1.len;
+                                        local_1.len = (_e1666 - 1u);
+                                        let _e1669 = local_1.len;
+                                        if (_e1669 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1579 = local_2.first[(0u + _e1574)];
-                                        local_2.group = _e1579;
-                                        let _e1582 = local_2.len;
-                                        if (_e1582 < 32u) {
+                                        let _e1674 = local_1.first[(0u + _e1669)];
+                                        local_1.group = _e1674;
+                                        let _e1677 = local_1.len;
+                                        if (_e1677 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1587 = local_2.mask[(0u + _e1582)];
-                                        local_2.group_mask = _e1587;
-                                        phi_2289_ = true;
+                                        let _e1682 = local_1.mask[(0u + _e1677)];
+                                        local_1.group_mask = _e1682;
+                                        phi_2335_ = true;
                                     }
-                                    let _e1590 = phi_2289_;
-                                    phi_2290_ = _e1590;
+                                    let _e1685 = phi_2335_;
+                                    phi_2336_ = _e1685;
                                 } else {
-                                    phi_2290_ = true;
+                                    phi_2336_ = true;
                                 }
-                                let _e1592 = phi_2290_;
-                                if _e1592 {
-                                    let _e1594 = local_2.group_mask;
-                                    let _e1600 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1594)), 32u, (_e1594 == 0u)));
-                                    let _e1604 = local_2.group_mask;
-                                    let _e1618 = local_2.group_mask;
-                                    local_2.group_mask = (_e1618 & ~((1u << bitcast<u32>((_e1600 & 31u)))));
-                                    let _e1621 = local_2.group;
-                                    phi_2321_ = (_e1621 + countOneBits(((_e1604 & ~((4294967295u << bitcast<u32>((((_e1600 - 24u) ^ _e395) & 31u))))) & 255u)));
+                                let _e1687 = phi_2336_;
+                                if _e1687 {
+                                    let _e1689 = local_1.group_mask;
+                                    let _e1695 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1689)), 32u, (_e1689 == 0u)));
+                                    let _e1699 = local_1.group_mask;
+                                    let _e1713 = local_1.group_mask;
+                                    local_1.group_mask = (_e1713 & ~((1u << bitcast<u32>((_e1695 & 31u)))));
+                                    let _e1716 = local_1.group;
+                                    phi_2367_ = (_e1716 + countOneBits(((_e1699 & ~((4294967295u << bitcast<u32>((((_e1695 - 24u) ^ _e472) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2321_ = 4294967295u;
+                                    phi_2367_ = 4294967295u;
                                 }
-                                let _e1624 = phi_2321_;
-                                phi_2322_ = _e1624;
-                                phi_2323_ = false;
-                                phi_2324_ = false;
+                                let _e1719 = phi_2367_;
+                                phi_2368_ = _e1719;
+                                phi_2369_ = false;
+                                phi_2370_ = false;
                             } else {
-                                phi_2322_ = u32();
-                                let _e1830 = local_9;
-                                phi_2323_ = _e1830;
-                                let _e1833 = local_10;
-                                phi_2324_ = _e1833;
+                                phi_2368_ = u32();
+                                let _e1935 = local_8;
+                                phi_2369_ = _e1935;
+                                let _e1938 = local_9;
+                                phi_2370_ = _e1938;
                             }
-                            let _e1626 = phi_2322_;
-                            let _e1628 = phi_2323_;
-                            let _e1630 = phi_2324_;
-                            phi_1212_ = _e1626;
-                            let _e1837 = local_11;
-                            phi_2325_ = _e1837;
-                            phi_2326_ = false;
-                            phi_2327_ = _e1628;
-                            phi_2328_ = _e1630;
+                            let _e1721 = phi_2368_;
+                            let _e1723 = phi_2369_;
+                            let _e1725 = phi_2370_;
+                            phi_1247_ = _e1721;
+                            let _e1942 = local_10;
+                            phi_2371_ = _e1942;
+                            phi_2372_ = false;
+                            phi_2373_ = _e1723;
+                            phi_2374_ = _e1725;
                         } else {
-                            phi_1212_ = u32();
-                            phi_2325_ = false;
-                            phi_2326_ = true;
-                            phi_2327_ = false;
-                            phi_2328_ = false;
+                            phi_1247_ = u32();
+                            phi_2371_ = false;
+                            phi_2372_ = true;
+                            phi_2373_ = false;
+                            phi_2374_ = false;
                         }
-                        let _e1632 = phi_1212_;
-                        let _e1634 = phi_2325_;
-                        let _e1636 = phi_2326_;
-                        let _e1638 = phi_2327_;
-                        let _e1640 = phi_2328_;
-                        local_8 = _e1636;
-                        local_12 = _e1638;
-                        local_13 = _e1640;
+                        let _e1727 = phi_1247_;
+                        let _e1729 = phi_2371_;
+                        let _e1731 = phi_2372_;
+                        let _e1733 = phi_2373_;
+                        let _e1735 = phi_2374_;
+                        local_7 = _e1731;
+                        local_11 = _e1733;
+                        local_12 = _e1735;
                         continue;
                         continuing {
-                            phi_1211_ = _e1632;
-                            break if !(_e1634);
+                            phi_1246_ = _e1727;
+                            break if !(_e1729);
                         }
                     }
-                    let _e1643 = local_8;
-                    if _e1643 {
-                        phi_2332_ = false;
-                        phi_2333_ = false;
+                    let _e1738 = local_7;
+                    if _e1738 {
+                        phi_2378_ = false;
+                        phi_2379_ = false;
                     } else {
-                        let _e1844 = local_12;
-                        phi_2332_ = _e1844;
-                        let _e1847 = local_13;
-                        phi_2333_ = _e1847;
+                        let _e1949 = local_11;
+                        phi_2378_ = _e1949;
+                        let _e1952 = local_12;
+                        phi_2379_ = _e1952;
                     }
-                    let _e1645 = phi_2332_;
-                    let _e1647 = phi_2333_;
-                    if _e1645 {
-                        phi_2337_ = true;
+                    let _e1740 = phi_2378_;
+                    let _e1742 = phi_2379_;
+                    if _e1740 {
+                        phi_2383_ = true;
                     } else {
-                        phi_2337_ = _e1647;
+                        phi_2383_ = _e1742;
                     }
-                    let _e1649 = phi_2337_;
-                    if _e1649 {
-                        phi_2341_ = true;
+                    let _e1744 = phi_2383_;
+                    if _e1744 {
+                        phi_2387_ = true;
                     } else {
-                        phi_2341_ = false;
+                        phi_2387_ = false;
                     }
-                    let _e1651 = phi_2341_;
-                    phi_2342_ = _e1651;
+                    let _e1746 = phi_2387_;
+                    phi_2388_ = _e1746;
                 }
-                let _e1653 = phi_2342_;
-                phi_2343_ = _e1653;
-                phi_2344_ = _e190;
+                let _e1748 = phi_2388_;
+                phi_2389_ = _e1748;
+                phi_2390_ = _e298;
             } else {
-                phi_2343_ = bool();
-                phi_2344_ = true;
+                phi_2389_ = bool();
+                phi_2390_ = true;
             }
-            let _e1655 = phi_2343_;
-            let _e1657 = phi_2344_;
-            if _e1657 {
-                phi_2348_ = false;
+            let _e1750 = phi_2389_;
+            let _e1752 = phi_2390_;
+            if _e1752 {
+                phi_2394_ = false;
             } else {
-                phi_2348_ = _e1655;
+                phi_2394_ = _e1750;
             }
-            let _e1659 = phi_2348_;
-            if _e1659 {
-                phi_2352_ = 0f;
+            let _e1754 = phi_2394_;
+            if _e1754 {
+                phi_2398_ = 0f;
             } else {
-                phi_2352_ = 1f;
+                phi_2398_ = 1f;
             }
-            let _e1661 = phi_2352_;
-            phi_2353_ = _e1661;
+            let _e1756 = phi_2398_;
+            phi_2399_ = _e1756;
         }
-        let _e1663 = phi_2353_;
-        if (_e96.first_primitive < arrayLength((&visibility.member))) {
+        let _e1758 = phi_2399_;
+        if (_e99.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e96.first_primitive)] = _e1663;
+        visibility.member[(0u + _e99.first_primitive)] = _e1758;
     }
     return;
 }

@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -28,11 +20,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -47,11 +47,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -77,7 +77,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_43 {
+struct type_38 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -90,11 +90,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_52 {
+struct type_47 {
     member: array<abi_Sample>,
 }
 
-struct type_56 {
+struct type_51 {
     member: array<f32>,
 }
 
@@ -119,15 +119,8 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_67 {
+struct type_62 {
     member: array<lt_bvh_Node>,
-}
-
-struct lt_bvh_Ray {
-    origin: vec3<f32>,
-    tmin: f32,
-    direction: vec3<f32>,
-    tmax: f32,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -155,7 +148,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_74 {
+struct type_70 {
     member: abi_ShadowParams,
 }
 
@@ -171,2511 +164,2734 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_52;
+var<storage> samples: type_47;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_74;
+var<uniform> p: type_70;
 @group(0) @binding(2) 
-var<storage> nodes: type_67;
+var<storage> nodes: type_62;
 @group(0) @binding(3) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_56;
+var<storage, read_write> visibility: type_51;
 @group(0) @binding(6) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(7) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 @group(0) @binding(8) 
-var<storage> alpha_texels: type_22;
+var<storage> alpha_texels: type_20;
 @group(0) @binding(5) 
-var<storage> instances: type_43;
+var<storage> instances: type_38;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e78 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e78), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e78), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e78), (f32((param >> bitcast<u32>(24i))) * _e78));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_251_: f32;
+    var phi_256_: f32;
+    var phi_257_: bool;
+    var phi_258_: f32;
+    var phi_259_: bool;
+    var phi_263_: f32;
+    var phi_289_: f32;
+    var phi_294_: f32;
+    var phi_295_: bool;
+    var phi_296_: f32;
+    var phi_297_: bool;
+    var phi_301_: f32;
+    var phi_309_: f32;
+    var phi_310_: f32;
+    var phi_311_: f32;
+    var phi_320_: f32;
+    var phi_321_: f32;
+    var phi_339_: u32;
+    var phi_353_: u32;
+    var phi_360_: u32;
+    var phi_365_: u32;
+    var phi_371_: u32;
+    var phi_376_: u32;
+    var phi_378_: texture_Axis;
+    var phi_406_: f32;
+    var phi_411_: f32;
+    var phi_412_: bool;
+    var phi_413_: f32;
+    var phi_414_: bool;
+    var phi_418_: f32;
+    var phi_444_: f32;
+    var phi_449_: f32;
+    var phi_450_: bool;
+    var phi_451_: f32;
+    var phi_452_: bool;
+    var phi_456_: f32;
+    var phi_464_: f32;
+    var phi_465_: f32;
+    var phi_466_: f32;
+    var phi_475_: f32;
+    var phi_476_: f32;
+    var phi_494_: u32;
+    var phi_508_: u32;
+    var phi_515_: u32;
+    var phi_520_: u32;
+    var phi_526_: u32;
+    var phi_531_: u32;
+    var phi_533_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e68 = (*param_1)[0u].color;
-    let _e69 = lt_shaders_texture_unorm_bytes(_e68);
-    let _e81 = (*param_1)[1u].color;
-    let _e82 = lt_shaders_texture_unorm_bytes(_e81);
-    let _e98 = (*param_1)[2u].color;
-    let _e99 = lt_shaders_texture_unorm_bytes(_e98);
-    return vec4<f32>((((_e69.x * param_2.x) + (_e82.x * param_2.y)) + (_e99.x * param_2.z)), (((_e69.y * param_2.x) + (_e82.y * param_2.y)) + (_e99.y * param_2.z)), (((_e69.z * param_2.x) + (_e82.z * param_2.y)) + (_e99.z * param_2.z)), (((_e69.w * param_2.x) + (_e82.w * param_2.y)) + (_e99.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e68 = (*param_3)[0u].u;
-    let _e71 = (*param_3)[0u].v;
-    let _e77 = (*param_3)[1u].u;
-    let _e80 = (*param_3)[1u].v;
-    let _e88 = (*param_3)[2u].u;
-    let _e91 = (*param_3)[2u].v;
-    return vec2<f32>((((_e68 * param_4.x) + (_e77 * param_4.y)) + (_e88 * param_4.z)), (((_e71 * param_4.x) + (_e80 * param_4.y)) + (_e91 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_487_: f32;
-    var phi_488_: f32;
-    var phi_489_: f32;
-    var phi_498_: f32;
-    var phi_499_: f32;
-
-    if (param_6 == 0u) {
-        phi_489_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e73 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e73 > 1f) {
-                phi_487_ = (2f - _e73);
+    let _e72 = (*param).size;
+    let _e73 = (_e72 & 65535u);
+    let _e75 = (*param).size;
+    let _e77 = (_e75 >> bitcast<u32>(16i));
+    let _e79 = (*param).flags;
+    let _e81 = ((_e79 & 4u) != 0u);
+    let _e83 = (*param).flags;
+    let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
+    if (_e86 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e99 > param_1) {
+                phi_251_ = 1f;
             } else {
-                phi_487_ = _e73;
+                phi_251_ = 0f;
             }
-            let _e77 = phi_487_;
-            phi_488_ = _e77;
+            let _e102 = phi_251_;
+            if (param_1 < 8388608f) {
+                phi_256_ = (_e99 - _e102);
+                phi_257_ = false;
+            } else {
+                phi_256_ = f32();
+                phi_257_ = true;
+            }
+            let _e105 = phi_256_;
+            let _e107 = phi_257_;
+            phi_258_ = _e105;
+            phi_259_ = _e107;
         } else {
-            phi_488_ = param_5;
+            phi_258_ = f32();
+            phi_259_ = true;
         }
-        let _e79 = phi_488_;
-        phi_489_ = _e79;
-    }
-    let _e81 = phi_489_;
-    if (_e81 > 0f) {
-        if (_e81 < 1f) {
-            phi_498_ = _e81;
+        let _e109 = phi_258_;
+        let _e111 = phi_259_;
+        if _e111 {
+            phi_263_ = param_1;
         } else {
-            phi_498_ = 1f;
+            phi_263_ = _e109;
         }
-        let _e85 = phi_498_;
-        phi_499_ = _e85;
+        let _e113 = phi_263_;
+        phi_311_ = (param_1 - _e113);
     } else {
-        phi_499_ = 0f;
+        if (_e86 == 1u) {
+            let _e116 = (param_1 * 0.5f);
+            if (_e116 > -8388608f) {
+                let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
+                if (_e128 > _e116) {
+                    phi_289_ = 1f;
+                } else {
+                    phi_289_ = 0f;
+                }
+                let _e131 = phi_289_;
+                if (_e116 < 8388608f) {
+                    phi_294_ = (_e128 - _e131);
+                    phi_295_ = false;
+                } else {
+                    phi_294_ = f32();
+                    phi_295_ = true;
+                }
+                let _e134 = phi_294_;
+                let _e136 = phi_295_;
+                phi_296_ = _e134;
+                phi_297_ = _e136;
+            } else {
+                phi_296_ = f32();
+                phi_297_ = true;
+            }
+            let _e138 = phi_296_;
+            let _e140 = phi_297_;
+            if _e140 {
+                phi_301_ = _e116;
+            } else {
+                phi_301_ = _e138;
+            }
+            let _e142 = phi_301_;
+            let _e144 = (param_1 - (2f * _e142));
+            if (_e144 > 1f) {
+                phi_309_ = (2f - _e144);
+            } else {
+                phi_309_ = _e144;
+            }
+            let _e148 = phi_309_;
+            phi_310_ = _e148;
+        } else {
+            phi_310_ = param_1;
+        }
+        let _e150 = phi_310_;
+        phi_311_ = _e150;
     }
-    let _e87 = phi_499_;
-    return _e87;
+    let _e152 = phi_311_;
+    if (_e152 > 0f) {
+        if (_e152 < 1f) {
+            phi_320_ = _e152;
+        } else {
+            phi_320_ = 1f;
+        }
+        let _e156 = phi_320_;
+        phi_321_ = _e156;
+    } else {
+        phi_321_ = 0f;
+    }
+    let _e158 = phi_321_;
+    let _e159 = (_e73 - 1u);
+    let _e161 = (_e158 * f32(_e73));
+    if _e81 {
+        let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
+        if (_e159 < _e168) {
+            phi_339_ = _e159;
+        } else {
+            phi_339_ = _e168;
+        }
+        let _e171 = phi_339_;
+        phi_378_ = texture_Axis(_e171, _e171, 0f);
+    } else {
+        let _e173 = (_e161 + 0.5f);
+        let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
+        if (_e73 < _e180) {
+            phi_353_ = _e73;
+        } else {
+            phi_353_ = _e180;
+        }
+        let _e183 = phi_353_;
+        if (_e86 == 0u) {
+            phi_360_ = _e159;
+        } else {
+            phi_360_ = 0u;
+        }
+        let _e188 = phi_360_;
+        if (_e86 == 0u) {
+            phi_365_ = 0u;
+        } else {
+            phi_365_ = _e159;
+        }
+        let _e191 = phi_365_;
+        if (_e183 == 0u) {
+            phi_371_ = _e188;
+        } else {
+            phi_371_ = (_e183 - 1u);
+        }
+        let _e195 = phi_371_;
+        if (_e183 > _e159) {
+            phi_376_ = _e191;
+        } else {
+            phi_376_ = _e183;
+        }
+        let _e198 = phi_376_;
+        phi_378_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+    }
+    let _e201 = phi_378_;
+    let _e203 = (*param).flags;
+    let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
+    if (_e206 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e219 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e219 > param_2) {
+                phi_406_ = 1f;
+            } else {
+                phi_406_ = 0f;
+            }
+            let _e222 = phi_406_;
+            if (param_2 < 8388608f) {
+                phi_411_ = (_e219 - _e222);
+                phi_412_ = false;
+            } else {
+                phi_411_ = f32();
+                phi_412_ = true;
+            }
+            let _e225 = phi_411_;
+            let _e227 = phi_412_;
+            phi_413_ = _e225;
+            phi_414_ = _e227;
+        } else {
+            phi_413_ = f32();
+            phi_414_ = true;
+        }
+        let _e229 = phi_413_;
+        let _e231 = phi_414_;
+        if _e231 {
+            phi_418_ = param_2;
+        } else {
+            phi_418_ = _e229;
+        }
+        let _e233 = phi_418_;
+        phi_466_ = (param_2 - _e233);
+    } else {
+        if (_e206 == 1u) {
+            let _e236 = (param_2 * 0.5f);
+            if (_e236 > -8388608f) {
+                let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
+                if (_e248 > _e236) {
+                    phi_444_ = 1f;
+                } else {
+                    phi_444_ = 0f;
+                }
+                let _e251 = phi_444_;
+                if (_e236 < 8388608f) {
+                    phi_449_ = (_e248 - _e251);
+                    phi_450_ = false;
+                } else {
+                    phi_449_ = f32();
+                    phi_450_ = true;
+                }
+                let _e254 = phi_449_;
+                let _e256 = phi_450_;
+                phi_451_ = _e254;
+                phi_452_ = _e256;
+            } else {
+                phi_451_ = f32();
+                phi_452_ = true;
+            }
+            let _e258 = phi_451_;
+            let _e260 = phi_452_;
+            if _e260 {
+                phi_456_ = _e236;
+            } else {
+                phi_456_ = _e258;
+            }
+            let _e262 = phi_456_;
+            let _e264 = (param_2 - (2f * _e262));
+            if (_e264 > 1f) {
+                phi_464_ = (2f - _e264);
+            } else {
+                phi_464_ = _e264;
+            }
+            let _e268 = phi_464_;
+            phi_465_ = _e268;
+        } else {
+            phi_465_ = param_2;
+        }
+        let _e270 = phi_465_;
+        phi_466_ = _e270;
+    }
+    let _e272 = phi_466_;
+    if (_e272 > 0f) {
+        if (_e272 < 1f) {
+            phi_475_ = _e272;
+        } else {
+            phi_475_ = 1f;
+        }
+        let _e276 = phi_475_;
+        phi_476_ = _e276;
+    } else {
+        phi_476_ = 0f;
+    }
+    let _e278 = phi_476_;
+    let _e279 = (_e77 - 1u);
+    let _e281 = (_e278 * f32(_e77));
+    if _e81 {
+        let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
+        if (_e279 < _e288) {
+            phi_494_ = _e279;
+        } else {
+            phi_494_ = _e288;
+        }
+        let _e291 = phi_494_;
+        phi_533_ = texture_Axis(_e291, _e291, 0f);
+    } else {
+        let _e293 = (_e281 + 0.5f);
+        let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
+        if (_e77 < _e300) {
+            phi_508_ = _e77;
+        } else {
+            phi_508_ = _e300;
+        }
+        let _e303 = phi_508_;
+        if (_e206 == 0u) {
+            phi_515_ = _e279;
+        } else {
+            phi_515_ = 0u;
+        }
+        let _e308 = phi_515_;
+        if (_e206 == 0u) {
+            phi_520_ = 0u;
+        } else {
+            phi_520_ = _e279;
+        }
+        let _e311 = phi_520_;
+        if (_e303 == 0u) {
+            phi_526_ = _e308;
+        } else {
+            phi_526_ = (_e303 - 1u);
+        }
+        let _e315 = phi_526_;
+        if (_e303 > _e279) {
+            phi_531_ = _e311;
+        } else {
+            phi_531_ = _e303;
+        }
+        let _e318 = phi_531_;
+        phi_533_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+    }
+    let _e321 = phi_533_;
+    let _e325 = (*param).offset;
+    let _e332 = (*param).offset;
+    let _e339 = (*param).offset;
+    let _e346 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
 }
 
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_425_: u32;
-    var phi_439_: u32;
-    var phi_446_: u32;
-    var phi_451_: u32;
-    var phi_457_: u32;
-    var phi_462_: u32;
-    var phi_464_: texture_Axis;
+fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
+    var phi_600_: lt_bvh_traverse_Tree;
+    var phi_601_: bool;
+    var phi_602_: lt_bvh_traverse_Tree;
+    var phi_603_: bool;
+    var phi_608_: lt_bvh_traverse_Tree;
 
-    let _e68 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e69 = (param_8 - 1u);
-    let _e71 = (_e68 * f32(param_8));
-    if param_10 {
-        let _e78 = select(select(u32(_e71), 0u, (_e71 < bitcast<f32>(0u))), 4294967295u, (_e71 > bitcast<f32>(1333788671u)));
-        if (_e69 < _e78) {
-            phi_425_ = _e69;
+    if (param_3.x < param_4) {
+        if (param_3.y < param_5) {
+            phi_600_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
+            phi_601_ = false;
         } else {
-            phi_425_ = _e78;
+            phi_600_ = lt_bvh_traverse_Tree();
+            phi_601_ = true;
         }
-        let _e81 = phi_425_;
-        phi_464_ = texture_Axis(_e81, _e81, 0f);
+        let _e81 = phi_600_;
+        let _e83 = phi_601_;
+        phi_602_ = _e81;
+        phi_603_ = _e83;
     } else {
-        let _e83 = (_e71 + 0.5f);
-        let _e90 = select(select(u32(_e83), 0u, (_e83 < bitcast<f32>(0u))), 4294967295u, (_e83 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e90) {
-            phi_439_ = param_8;
-        } else {
-            phi_439_ = _e90;
-        }
-        let _e93 = phi_439_;
-        if (param_9 == 0u) {
-            phi_446_ = _e69;
-        } else {
-            phi_446_ = 0u;
-        }
-        let _e98 = phi_446_;
-        if (param_9 == 0u) {
-            phi_451_ = 0u;
-        } else {
-            phi_451_ = _e69;
-        }
-        let _e101 = phi_451_;
-        if (_e93 == 0u) {
-            phi_457_ = _e98;
-        } else {
-            phi_457_ = (_e93 - 1u);
-        }
-        let _e105 = phi_457_;
-        if (_e93 > _e69) {
-            phi_462_ = _e101;
-        } else {
-            phi_462_ = _e93;
-        }
-        let _e108 = phi_462_;
-        phi_464_ = texture_Axis(_e105, _e108, (_e83 - f32(_e93)));
+        phi_602_ = lt_bvh_traverse_Tree();
+        phi_603_ = true;
     }
-    let _e111 = phi_464_;
-    return _e111;
+    let _e85 = phi_602_;
+    let _e87 = phi_603_;
+    if _e87 {
+        phi_608_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_608_ = _e85;
+    }
+    let _e92 = phi_608_;
+    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e68 = (*param_11).size;
-    let _e69 = (_e68 & 65535u);
-    let _e71 = (*param_11).size;
-    let _e75 = (*param_11).flags;
-    let _e77 = ((_e75 & 4u) != 0u);
-    let _e79 = (*param_11).flags;
-    let _e83 = lt_shaders_texture_axis(param_12, _e69, ((_e79 >> bitcast<u32>(4u)) & 3u), _e77);
-    let _e85 = (*param_11).flags;
-    let _e89 = lt_shaders_texture_axis(param_13, (_e71 >> bitcast<u32>(16i)), ((_e85 >> bitcast<u32>(6u)) & 3u), _e77);
-    let _e93 = (*param_11).offset;
-    let _e100 = (*param_11).offset;
-    let _e107 = (*param_11).offset;
-    let _e114 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e93 + (_e89.low * _e69)) + _e83.low), ((_e100 + (_e89.low * _e69)) + _e83.high), ((_e107 + (_e89.high * _e69)) + _e83.low), ((_e114 + (_e89.high * _e69)) + _e83.high)), vec4<f32>(((1f - _e83.fraction) * (1f - _e89.fraction)), (_e83.fraction * (1f - _e89.fraction)), ((1f - _e83.fraction) * _e89.fraction), (_e83.fraction * _e89.fraction)));
+fn core_intrinsics_maximum_number_nsz_f32_(param_6: f32, param_7: f32) -> f32 {
+    var phi_623_: bool;
+    var phi_627_: f32;
+
+    if (param_6 != param_6) {
+        phi_623_ = true;
+    } else {
+        let _e71 = (param_7 >= param_6);
+        if _e71 {
+        }
+        phi_623_ = _e71;
+    }
+    let _e73 = phi_623_;
+    if _e73 {
+        phi_627_ = param_7;
+    } else {
+        phi_627_ = param_6;
+    }
+    let _e75 = phi_627_;
+    return _e75;
 }
 
-fn lt_shaders_entry_pixel_index(param_14: vec3<u32>, param_15: u32, param_16: u32) -> lt_bvh_traverse_Tree {
-    var phi_519_: lt_bvh_traverse_Tree;
-    var phi_520_: bool;
-    var phi_521_: lt_bvh_traverse_Tree;
-    var phi_522_: bool;
-    var phi_527_: lt_bvh_traverse_Tree;
+fn core_intrinsics_minimum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
+    var phi_639_: bool;
+    var phi_643_: f32;
 
-    if (param_14.x < param_15) {
-        if (param_14.y < param_16) {
-            phi_519_ = lt_bvh_traverse_Tree(1u, ((param_14.y * param_15) + param_14.x));
-            phi_520_ = false;
+    if (param_8 != param_8) {
+        phi_639_ = true;
+    } else {
+        let _e71 = (param_9 <= param_8);
+        if _e71 {
+        }
+        phi_639_ = _e71;
+    }
+    let _e73 = phi_639_;
+    if _e73 {
+        phi_643_ = param_9;
+    } else {
+        phi_643_ = param_8;
+    }
+    let _e75 = phi_643_;
+    return _e75;
+}
+
+fn _lt_shaders_abi_Sample_is_valid(param_10: ptr<function, abi_Sample>) -> bool {
+    var phi_668_: bool;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_675_: bool;
+
+    let _e71 = (*param_10).normal[0u];
+    let _e73 = global[0u];
+    if (_e71 == _e73) {
+        let _e76 = (*param_10).normal[1u];
+        let _e78 = global[1u];
+        if (_e76 == _e78) {
+            let _e81 = (*param_10).normal[2u];
+            let _e83 = global[2u];
+            phi_668_ = (_e81 == _e83);
+            phi_669_ = false;
         } else {
-            phi_519_ = lt_bvh_traverse_Tree();
-            phi_520_ = true;
+            phi_668_ = bool();
+            phi_669_ = true;
         }
-        let _e77 = phi_519_;
-        let _e79 = phi_520_;
-        phi_521_ = _e77;
-        phi_522_ = _e79;
+        let _e86 = phi_668_;
+        let _e88 = phi_669_;
+        phi_670_ = _e86;
+        phi_671_ = _e88;
     } else {
-        phi_521_ = lt_bvh_traverse_Tree();
-        phi_522_ = true;
+        phi_670_ = bool();
+        phi_671_ = true;
     }
-    let _e81 = phi_521_;
-    let _e83 = phi_522_;
-    if _e83 {
-        phi_527_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e90 = phi_670_;
+    let _e92 = phi_671_;
+    if _e92 {
+        phi_675_ = false;
     } else {
-        phi_527_ = _e81;
+        phi_675_ = _e90;
     }
-    let _e88 = phi_527_;
-    return lt_bvh_traverse_Tree(_e88.root, _e88.first_primitive);
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_17: f32, param_18: f32) -> f32 {
-    var phi_542_: bool;
-    var phi_546_: f32;
-
-    if (param_17 != param_17) {
-        phi_542_ = true;
-    } else {
-        let _e67 = (param_18 >= param_17);
-        if _e67 {
-        }
-        phi_542_ = _e67;
-    }
-    let _e69 = phi_542_;
-    if _e69 {
-        phi_546_ = param_18;
-    } else {
-        phi_546_ = param_17;
-    }
-    let _e71 = phi_546_;
-    return _e71;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_19: f32, param_20: f32) -> f32 {
-    var phi_558_: bool;
-    var phi_562_: f32;
-
-    if (param_19 != param_19) {
-        phi_558_ = true;
-    } else {
-        let _e67 = (param_20 <= param_19);
-        if _e67 {
-        }
-        phi_558_ = _e67;
-    }
-    let _e69 = phi_558_;
-    if _e69 {
-        phi_562_ = param_20;
-    } else {
-        phi_562_ = param_19;
-    }
-    let _e71 = phi_562_;
-    return _e71;
-}
-
-fn lt_shaders_surface_barycentric_weights(param_21: f32, param_22: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_21) - param_22), param_21, param_22);
-}
-
-fn lt_shaders_evaluate_to_light(param_23: vec3<f32>, param_24: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_24.x - (param_23.x * param_24.w)), (param_24.y - (param_23.y * param_24.w)), (param_24.z - (param_23.z * param_24.w)));
-}
-
-fn _lt_shaders_abi_Sample_is_valid(param_25: ptr<function, abi_Sample>) -> bool {
-    var phi_635_: bool;
-    var phi_636_: bool;
-    var phi_637_: bool;
-    var phi_638_: bool;
-    var phi_642_: bool;
-
-    let _e67 = (*param_25).normal[0u];
-    let _e69 = global[0u];
-    if (_e67 == _e69) {
-        let _e72 = (*param_25).normal[1u];
-        let _e74 = global[1u];
-        if (_e72 == _e74) {
-            let _e77 = (*param_25).normal[2u];
-            let _e79 = global[2u];
-            phi_635_ = (_e77 == _e79);
-            phi_636_ = false;
-        } else {
-            phi_635_ = bool();
-            phi_636_ = true;
-        }
-        let _e82 = phi_635_;
-        let _e84 = phi_636_;
-        phi_637_ = _e82;
-        phi_638_ = _e84;
-    } else {
-        phi_637_ = bool();
-        phi_638_ = true;
-    }
-    let _e86 = phi_637_;
-    let _e88 = phi_638_;
-    if _e88 {
-        phi_642_ = false;
-    } else {
-        phi_642_ = _e86;
-    }
-    let _e90 = phi_642_;
-    return !(_e90);
-}
-
-fn lt_shaders_evaluate_settle(param_26: ptr<function, abi_Sample>, param_27: vec4<f32>) -> u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    var phi_606_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_610_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-
-    let _e66 = _lt_shaders_abi_Sample_is_valid(param_26);
-    if _e66 {
-        let _e68 = (*param_26).normal;
-        let _e70 = (*param_26).position;
-        let _e71 = lt_shaders_evaluate_to_light(_e70, param_27);
-        if ((((_e68.x * _e71.x) + (_e68.y * _e71.y)) + (_e68.z * _e71.z)) > 0f) {
-            let _e85 = (*param_26).flags;
-            let _e93 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e99 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e93.unnamed.visibility, false), _e93.unnamed_1);
-            phi_606_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e99.unnamed, ((_e85 & 1u) == 0u));
-        } else {
-            let _e108 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e114 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e108.unnamed.visibility, false), _e108.unnamed_1);
-            phi_606_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e114.unnamed, true);
-        }
-        let _e119 = phi_606_;
-        phi_610_ = _e119;
-    } else {
-        let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-        let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-        phi_610_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, true);
-    }
-    let _e136 = phi_610_;
-    return _e136;
-}
-
-fn lt_shaders_resolve_shadow_ray(param_28: ptr<function, abi_Sample>, param_29: vec4<f32>) -> lt_bvh_Ray {
-    var phi_685_: f32;
-
-    let _e67 = (*param_28).position;
-    let _e69 = (*param_28).normal;
-    let _e71 = (*param_28).magnitude;
-    let _e73 = ((8f / 8388608f) * _e71);
-    let _e81 = (_e67 + vec3<f32>((_e69.x * _e73), (_e69.y * _e73), (_e69.z * _e73)));
-    if (param_29.w == 0f) {
-        phi_685_ = 300000000000000000000000000000000000000f;
-    } else {
-        phi_685_ = 1f;
-    }
-    let _e85 = phi_685_;
-    let _e86 = lt_shaders_evaluate_to_light(_e81, param_29);
-    return lt_bvh_Ray(_e81, 0f, _e86, _e85);
+    let _e94 = phi_675_;
+    return !(_e94);
 }
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<abi_Vertex, 3>;
+    var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var local_3: lt_bvh_traverse_Stack;
-    var local_4: abi_Sample;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_823_: bool;
-    var phi_827_: bool;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_834_: bool;
-    var phi_835_: bool;
-    var phi_836_: bool;
-    var phi_837_: bool;
-    var phi_838_: bool;
-    var phi_839_: bool;
-    var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_842_: bool;
-    var phi_843_: bool;
-    var phi_844_: bool;
-    var phi_848_: bool;
-    var phi_852_: bool;
-    var phi_927_: f32;
-    var phi_934_: f32;
-    var phi_942_: f32;
-    var phi_949_: f32;
-    var phi_957_: f32;
-    var phi_964_: f32;
-    var phi_989_: f32;
-    var phi_994_: f32;
-    var phi_999_: f32;
-    var phi_1021_: u32;
-    var phi_1026_: u32;
-    var phi_1031_: u32;
-    var phi_1145_: bool;
-    var phi_1146_: bool;
-    var phi_1177_: u32;
-    var phi_1179_: u32;
-    var phi_1265_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1292_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1319_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1325_: u32;
-    var phi_1328_: u32;
-    var phi_1342_: u32;
-    var phi_1352_: u32;
-    var phi_1362_: u32;
-    var phi_1380_: u32;
-    var phi_1390_: u32;
-    var phi_1400_: u32;
-    var phi_1436_: u32;
-    var phi_1449_: u32;
-    var phi_1454_: u32;
-    var phi_1455_: u32;
-    var phi_1456_: u32;
-    var phi_1326_: u32;
-    var phi_1329_: u32;
+    var local_3: abi_Sample;
+    var phi_772_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_776_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_827_: f32;
+    var phi_883_: bool;
+    var phi_884_: bool;
+    var phi_885_: bool;
+    var phi_889_: bool;
+    var phi_890_: bool;
+    var phi_891_: bool;
+    var phi_892_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_895_: bool;
+    var phi_896_: bool;
+    var phi_897_: bool;
+    var phi_898_: bool;
+    var phi_899_: bool;
+    var phi_900_: bool;
+    var phi_901_: bool;
+    var phi_902_: bool;
+    var phi_903_: bool;
+    var phi_904_: bool;
+    var phi_905_: bool;
+    var phi_906_: bool;
+    var phi_910_: bool;
+    var phi_914_: bool;
+    var phi_984_: f32;
+    var phi_991_: f32;
+    var phi_998_: f32;
+    var phi_1005_: f32;
+    var phi_1012_: f32;
+    var phi_1019_: f32;
+    var phi_1036_: f32;
+    var phi_1041_: f32;
+    var phi_1046_: f32;
+    var phi_1067_: u32;
+    var phi_1072_: u32;
+    var phi_1077_: u32;
+    var phi_1191_: bool;
+    var phi_1192_: bool;
+    var phi_1223_: u32;
+    var phi_1225_: u32;
+    var phi_1306_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1333_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1360_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1366_: u32;
+    var phi_1369_: u32;
+    var phi_1383_: u32;
+    var phi_1393_: u32;
+    var phi_1403_: u32;
+    var phi_1421_: u32;
+    var phi_1431_: u32;
+    var phi_1441_: u32;
+    var phi_1477_: u32;
+    var phi_1490_: u32;
+    var phi_1495_: u32;
+    var phi_1496_: u32;
+    var phi_1497_: u32;
+    var phi_1367_: u32;
+    var phi_1370_: u32;
+    var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var local_7: u32;
-    var phi_1514_: u32;
-    var phi_1570_: f32;
-    var phi_1575_: f32;
-    var phi_1580_: f32;
-    var phi_1588_: f32;
-    var phi_1593_: f32;
-    var phi_1598_: f32;
-    var phi_1754_: bool;
-    var phi_1755_: bool;
-    var phi_1756_: bool;
-    var phi_1760_: bool;
-    var phi_1761_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1764_: bool;
-    var phi_1765_: bool;
-    var phi_1766_: bool;
-    var phi_1767_: bool;
-    var phi_1768_: bool;
-    var phi_1769_: bool;
-    var phi_1770_: bool;
-    var phi_1771_: bool;
-    var phi_1772_: bool;
-    var phi_1773_: bool;
-    var phi_1774_: bool;
-    var phi_1775_: bool;
-    var phi_1776_: bool;
+    var phi_1555_: u32;
+    var phi_1605_: f32;
+    var phi_1610_: f32;
+    var phi_1615_: f32;
+    var phi_1623_: f32;
+    var phi_1628_: f32;
+    var phi_1633_: f32;
     var phi_1777_: bool;
-    var phi_1781_: bool;
+    var phi_1778_: bool;
+    var phi_1779_: bool;
+    var phi_1783_: bool;
+    var phi_1784_: bool;
     var phi_1785_: bool;
-    var phi_1855_: f32;
-    var phi_1862_: f32;
-    var phi_1869_: f32;
-    var phi_1876_: f32;
-    var phi_1883_: f32;
-    var phi_1890_: f32;
-    var phi_1907_: f32;
-    var phi_1912_: f32;
-    var phi_1917_: f32;
-    var phi_1945_: bool;
-    var phi_1946_: bool;
-    var phi_1954_: u32;
-    var phi_1955_: u32;
-    var phi_1966_: vec3<f32>;
-    var phi_1967_: vec3<f32>;
-    var phi_1980_: u32;
-    var phi_1985_: u32;
-    var phi_1990_: u32;
-    var phi_2104_: bool;
-    var phi_2105_: bool;
-    var phi_2136_: u32;
-    var phi_2138_: u32;
-    var phi_2219_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2246_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2273_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2279_: u32;
-    var phi_2282_: u32;
-    var phi_2296_: u32;
+    var phi_1786_: bool;
+    var phi_1787_: bool;
+    var phi_1788_: bool;
+    var phi_1789_: bool;
+    var phi_1790_: bool;
+    var phi_1791_: bool;
+    var phi_1792_: bool;
+    var phi_1793_: bool;
+    var phi_1794_: bool;
+    var phi_1795_: bool;
+    var phi_1796_: bool;
+    var phi_1797_: bool;
+    var phi_1798_: bool;
+    var phi_1799_: bool;
+    var phi_1800_: bool;
+    var phi_1804_: bool;
+    var phi_1808_: bool;
+    var phi_1878_: f32;
+    var phi_1885_: f32;
+    var phi_1892_: f32;
+    var phi_1899_: f32;
+    var phi_1906_: f32;
+    var phi_1913_: f32;
+    var phi_1930_: f32;
+    var phi_1935_: f32;
+    var phi_1940_: f32;
+    var phi_1968_: bool;
+    var phi_1969_: bool;
+    var phi_1977_: u32;
+    var phi_1978_: u32;
+    var phi_1989_: vec3<f32>;
+    var phi_1990_: vec3<f32>;
+    var phi_2003_: u32;
+    var phi_2008_: u32;
+    var phi_2013_: u32;
+    var phi_2127_: bool;
+    var phi_2128_: bool;
+    var phi_2159_: u32;
+    var phi_2161_: u32;
+    var phi_2242_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2269_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2296_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2302_: u32;
+    var phi_2305_: u32;
+    var phi_2319_: u32;
+    var phi_2329_: u32;
+    var phi_2339_: u32;
+    var phi_2357_: u32;
+    var phi_2367_: u32;
+    var phi_2377_: u32;
+    var phi_2413_: u32;
+    var phi_2426_: u32;
+    var phi_2431_: u32;
+    var phi_2432_: u32;
+    var phi_2433_: u32;
+    var phi_2303_: u32;
     var phi_2306_: u32;
-    var phi_2316_: u32;
-    var phi_2334_: u32;
-    var phi_2344_: u32;
-    var phi_2354_: u32;
-    var phi_2390_: u32;
-    var phi_2403_: u32;
-    var phi_2408_: u32;
-    var phi_2409_: u32;
-    var phi_2410_: u32;
-    var phi_2280_: u32;
-    var phi_2283_: u32;
+    var local_7: u32;
     var local_8: u32;
     var local_9: u32;
-    var local_10: u32;
-    var phi_2468_: u32;
-    var phi_2513_: vec3<f32>;
-    var phi_2514_: vec3<f32>;
-    var phi_2545_: vec3<f32>;
-    var phi_2546_: vec3<f32>;
-    var phi_2577_: vec3<f32>;
-    var phi_2578_: vec3<f32>;
-    var phi_2598_: bool;
-    var phi_2599_: bool;
-    var phi_2603_: f32;
-    var phi_2604_: f32;
-    var phi_2605_: f32;
-    var phi_2606_: f32;
-    var phi_2614_: f32;
-    var phi_2624_: bool;
-    var phi_2625_: bool;
+    var phi_2491_: u32;
+    var phi_2536_: vec3<f32>;
+    var phi_2537_: vec3<f32>;
+    var phi_2568_: vec3<f32>;
+    var phi_2569_: vec3<f32>;
+    var phi_2600_: vec3<f32>;
+    var phi_2601_: vec3<f32>;
+    var phi_2621_: bool;
+    var phi_2622_: bool;
+    var phi_2626_: f32;
+    var phi_2627_: f32;
+    var phi_2628_: f32;
     var phi_2629_: f32;
-    var phi_2630_: f32;
-    var phi_2631_: f32;
-    var phi_2632_: f32;
-    var phi_2640_: f32;
-    var phi_2650_: bool;
-    var phi_2651_: bool;
+    var phi_2637_: f32;
+    var phi_2647_: bool;
+    var phi_2648_: bool;
+    var phi_2652_: f32;
+    var phi_2653_: f32;
+    var phi_2654_: f32;
     var phi_2655_: f32;
-    var phi_2656_: f32;
-    var phi_2657_: f32;
-    var phi_2658_: f32;
-    var phi_2666_: f32;
+    var phi_2663_: f32;
+    var phi_2673_: bool;
+    var phi_2674_: bool;
+    var phi_2678_: f32;
+    var phi_2679_: f32;
+    var phi_2680_: f32;
     var phi_2681_: f32;
-    var phi_2682_: bool;
-    var phi_2683_: f32;
-    var phi_2684_: bool;
-    var phi_2685_: f32;
-    var phi_2686_: bool;
+    var phi_2689_: f32;
     var phi_2704_: f32;
     var phi_2705_: bool;
-    var phi_2706_: bool;
-    var phi_2707_: f32;
-    var phi_2708_: bool;
+    var phi_2706_: f32;
+    var phi_2707_: bool;
+    var phi_2708_: f32;
     var phi_2709_: bool;
-    var phi_2713_: bool;
-    var phi_2714_: f32;
-    var phi_2715_: bool;
-    var phi_2741_: f32;
-    var phi_2750_: f32;
-    var phi_2759_: f32;
-    var phi_2768_: f32;
-    var phi_2775_: f32;
-    var phi_2782_: f32;
-    var phi_2795_: f32;
-    var phi_2804_: f32;
+    var phi_2727_: f32;
+    var phi_2728_: bool;
+    var phi_2729_: bool;
+    var phi_2730_: f32;
+    var phi_2731_: bool;
+    var phi_2732_: bool;
+    var phi_2736_: bool;
+    var phi_2737_: f32;
+    var phi_2738_: bool;
+    var phi_2772_: f32;
+    var phi_2781_: f32;
+    var phi_2790_: f32;
+    var phi_2799_: f32;
+    var phi_2806_: f32;
     var phi_2813_: f32;
-    var phi_2822_: f32;
-    var phi_2829_: f32;
-    var phi_2836_: f32;
+    var phi_2826_: f32;
+    var phi_2835_: f32;
+    var phi_2844_: f32;
     var phi_2853_: f32;
-    var phi_2858_: f32;
-    var phi_2863_: f32;
-    var phi_2871_: f32;
-    var phi_2876_: f32;
-    var phi_2881_: f32;
-    var phi_2893_: f32;
-    var phi_2898_: f32;
-    var phi_2903_: f32;
-    var phi_2908_: f32;
-    var phi_2913_: lt_bvh_triangle_Intersection;
-    var phi_2914_: lt_bvh_triangle_Intersection;
-    var phi_2915_: bool;
-    var phi_2919_: lt_bvh_triangle_Intersection;
-    var phi_3128_: f32;
-    var phi_3131_: bool;
-    var phi_3132_: bool;
-    var phi_3136_: bool;
-    var phi_3137_: bool;
-    var phi_3138_: bool;
-    var phi_3139_: bool;
-    var phi_3140_: bool;
-    var phi_3141_: bool;
-    var phi_3142_: bool;
-    var phi_3143_: bool;
-    var phi_3144_: bool;
-    var phi_3145_: bool;
-    var phi_3146_: bool;
-    var phi_3147_: bool;
-    var phi_3151_: bool;
-    var phi_3152_: bool;
-    var phi_2469_: u32;
-    var phi_3153_: bool;
-    var phi_3154_: bool;
-    var phi_3155_: bool;
-    var local_11: bool;
+    var phi_2860_: f32;
+    var phi_2867_: f32;
+    var phi_2884_: f32;
+    var phi_2889_: f32;
+    var phi_2894_: f32;
+    var phi_2902_: f32;
+    var phi_2907_: f32;
+    var phi_2912_: f32;
+    var phi_2924_: f32;
+    var phi_2929_: f32;
+    var phi_2934_: f32;
+    var phi_2939_: f32;
+    var phi_2944_: lt_bvh_triangle_Intersection;
+    var phi_2945_: bool;
+    var phi_2946_: lt_bvh_triangle_Intersection;
+    var phi_2947_: bool;
+    var phi_2951_: lt_bvh_triangle_Intersection;
+    var phi_2952_: bool;
+    var phi_2953_: lt_bvh_triangle_Intersection;
+    var phi_2954_: bool;
+    var phi_2955_: bool;
+    var phi_2959_: bool;
+    var phi_2963_: lt_bvh_triangle_Intersection;
+    var phi_3181_: f32;
+    var phi_3184_: bool;
+    var phi_3185_: bool;
+    var phi_3189_: bool;
+    var phi_3190_: bool;
+    var phi_3191_: bool;
+    var phi_3192_: bool;
+    var phi_3193_: bool;
+    var phi_3194_: bool;
+    var phi_3195_: bool;
+    var phi_3196_: bool;
     var phi_3197_: bool;
     var phi_3198_: bool;
-    var phi_3229_: u32;
-    var phi_3230_: u32;
-    var phi_3231_: bool;
-    var phi_3232_: bool;
-    var phi_2139_: u32;
-    var phi_3233_: bool;
-    var phi_3234_: bool;
-    var phi_3235_: bool;
-    var phi_3236_: bool;
-    var local_12: bool;
-    var phi_3240_: bool;
-    var phi_3241_: bool;
-    var phi_3245_: bool;
-    var phi_3249_: bool;
+    var phi_3199_: bool;
+    var phi_3200_: bool;
+    var phi_3204_: bool;
+    var phi_3205_: bool;
+    var phi_2492_: u32;
+    var phi_3206_: bool;
+    var phi_3207_: bool;
+    var phi_3208_: bool;
+    var local_10: bool;
     var phi_3250_: bool;
     var phi_3251_: bool;
-    var phi_3252_: bool;
-    var phi_3256_: bool;
-    var phi_3260_: bool;
-    var phi_3261_: bool;
-    var phi_3262_: bool;
-    var phi_3263_: bool;
-    var phi_1515_: u32;
-    var phi_3267_: bool;
-    var local_13: bool;
+    var phi_3282_: u32;
+    var phi_3283_: u32;
+    var phi_3284_: bool;
+    var phi_3285_: bool;
+    var phi_2162_: u32;
+    var phi_3286_: bool;
+    var phi_3287_: bool;
+    var phi_3288_: bool;
+    var phi_3289_: bool;
+    var local_11: bool;
+    var phi_3293_: bool;
+    var phi_3294_: bool;
+    var phi_3298_: bool;
+    var phi_3302_: bool;
+    var phi_3303_: bool;
+    var phi_3304_: bool;
+    var phi_3305_: bool;
     var phi_3309_: bool;
-    var phi_3310_: bool;
-    var phi_3341_: u32;
-    var phi_3342_: u32;
-    var phi_1180_: u32;
-    var phi_3343_: bool;
-    var phi_3344_: bool;
+    var phi_3313_: bool;
+    var phi_3314_: bool;
+    var phi_3315_: bool;
+    var phi_3316_: bool;
+    var phi_1556_: u32;
+    var phi_3320_: bool;
+    var local_12: bool;
+    var phi_3362_: bool;
+    var phi_3363_: bool;
+    var phi_3394_: u32;
+    var phi_3395_: u32;
+    var phi_1226_: u32;
+    var phi_3396_: bool;
+    var phi_3397_: bool;
+    var local_13: bool;
+    var phi_3401_: bool;
+    var phi_3405_: bool;
+    var phi_3406_: bool;
+    var phi_3407_: bool;
+    var phi_3408_: bool;
+    var phi_3412_: bool;
+    var phi_3416_: f32;
+    var phi_3417_: f32;
     var local_14: bool;
-    var phi_3348_: bool;
-    var phi_3352_: bool;
-    var phi_3353_: bool;
-    var phi_3354_: bool;
-    var phi_3355_: bool;
-    var phi_3359_: bool;
-    var phi_3363_: f32;
-    var phi_3364_: f32;
     var local_15: bool;
     var local_16: bool;
     var local_17: bool;
     var local_18: bool;
     var local_19: bool;
-    var local_20: bool;
 
-    let _e69 = id_1;
-    let _e76 = arrayLength((&nodes.member));
-    let _e79 = arrayLength((&triangles.member));
-    let _e88 = arrayLength((&vertices.member));
-    let _e94 = arrayLength((&alpha_texels.member));
-    let _e97 = p.member.size[0u];
-    let _e99 = p.member.size[1u];
-    let _e100 = lt_shaders_entry_pixel_index(_e69, _e97, _e99);
-    if (bitcast<i32>(_e100.root) != 0i) {
-        if (_e100.first_primitive < arrayLength((&samples.member))) {
+    let _e72 = id_1;
+    let _e79 = arrayLength((&nodes.member));
+    let _e82 = arrayLength((&triangles.member));
+    let _e91 = arrayLength((&vertices.member));
+    let _e97 = arrayLength((&alpha_texels.member));
+    let _e100 = p.member.size[0u];
+    let _e102 = p.member.size[1u];
+    let _e103 = lt_shaders_entry_pixel_index(_e72, _e100, _e102);
+    if (bitcast<i32>(_e103.root) != 0i) {
+        if (_e103.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e108 = samples.member[(0u + _e100.first_primitive)];
-        local_4 = abi_Sample(_e108.position, _e108.magnitude, _e108.normal, _e108.flags, _e108.shading_normal, _e108.albedo);
-        let _e117 = p.member.light;
-        let _e118 = lt_shaders_evaluate_settle((&local_4), _e117);
-        let _e123 = p.member.root;
-        if _e118.unnamed_1 {
-            phi_3364_ = _e118.unnamed.visibility;
+        let _e111 = samples.member[(0u + _e103.first_primitive)];
+        local_3 = abi_Sample(_e111.position, _e111.magnitude, _e111.normal, _e111.flags, _e111.shading_normal, _e111.albedo);
+        let _e120 = p.member.light;
+        let _e121 = _lt_shaders_abi_Sample_is_valid((&local_3));
+        if _e121 {
+            let _e123 = local_3.normal;
+            let _e125 = local_3.position;
+            if ((((_e123.x * (_e120.x - (_e125.x * _e120.w))) + (_e123.y * (_e120.y - (_e125.y * _e120.w)))) + (_e123.z * (_e120.z - (_e125.z * _e120.w)))) > 0f) {
+                let _e149 = local_3.flags;
+                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
+                phi_772_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, ((_e149 & 1u) == 0u));
+            } else {
+                let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e172.unnamed.visibility, false), _e172.unnamed_1);
+                phi_772_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e178.unnamed, true);
+            }
+            let _e183 = phi_772_;
+            phi_776_ = _e183;
         } else {
-            let _e125 = p.member.light;
-            let _e126 = lt_shaders_resolve_shadow_ray((&local_4), _e125);
-            let _e136 = abs(_e126.direction.x);
-            let _e138 = abs(_e126.direction.y);
-            let _e140 = abs(_e126.direction.z);
-            if (abs(_e126.origin.x) < 1000000000000000f) {
-                if (abs(_e126.origin.y) < 1000000000000000f) {
-                    if (abs(_e126.origin.z) < 1000000000000000f) {
-                        if (_e136 < 1000000000000000f) {
-                            if (_e138 < 1000000000000000f) {
-                                if (_e140 < 1000000000000000f) {
-                                    if (_e136 > 0f) {
-                                        phi_822_ = bool();
-                                        phi_823_ = true;
+            let _e189 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e189.unnamed.visibility, false), _e189.unnamed_1);
+            phi_776_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e195.unnamed, true);
+        }
+        let _e200 = phi_776_;
+        let _e205 = p.member.root;
+        if _e200.unnamed_1 {
+            phi_3417_ = _e200.unnamed.visibility;
+        } else {
+            let _e207 = p.member.light;
+            let _e209 = local_3.position;
+            let _e211 = local_3.normal;
+            let _e213 = local_3.magnitude;
+            let _e215 = ((8f / 8388608f) * _e213);
+            let _e223 = (_e209.x + (_e211.x * _e215));
+            let _e225 = (_e209.y + (_e211.y * _e215));
+            let _e227 = (_e209.z + (_e211.z * _e215));
+            if (_e207.w == 0f) {
+                phi_827_ = 300000000000000000000000000000000000000f;
+            } else {
+                phi_827_ = 1f;
+            }
+            let _e231 = phi_827_;
+            let _e239 = (_e207.x - (_e223 * _e207.w));
+            let _e240 = (_e207.y - (_e225 * _e207.w));
+            let _e241 = (_e207.z - (_e227 * _e207.w));
+            let _e245 = abs(_e239);
+            let _e246 = abs(_e240);
+            let _e247 = abs(_e241);
+            if (abs(_e223) < 1000000000000000f) {
+                if (abs(_e225) < 1000000000000000f) {
+                    if (abs(_e227) < 1000000000000000f) {
+                        if (_e245 < 1000000000000000f) {
+                            if (_e246 < 1000000000000000f) {
+                                if (_e247 < 1000000000000000f) {
+                                    if (_e245 > 0f) {
+                                        phi_884_ = bool();
+                                        phi_885_ = true;
                                     } else {
-                                        let _e148 = (_e138 > 0f);
-                                        if _e148 {
-                                            phi_821_ = bool();
+                                        let _e255 = (_e246 > 0f);
+                                        if _e255 {
+                                            phi_883_ = bool();
                                         } else {
-                                            phi_821_ = (_e140 > 0f);
+                                            phi_883_ = (_e247 > 0f);
                                         }
-                                        let _e151 = phi_821_;
-                                        phi_822_ = _e151;
-                                        phi_823_ = _e148;
+                                        let _e258 = phi_883_;
+                                        phi_884_ = _e258;
+                                        phi_885_ = _e255;
                                     }
-                                    let _e153 = phi_822_;
-                                    let _e155 = phi_823_;
-                                    if _e155 {
-                                        phi_827_ = true;
+                                    let _e260 = phi_884_;
+                                    let _e262 = phi_885_;
+                                    if _e262 {
+                                        phi_889_ = true;
                                     } else {
-                                        phi_827_ = _e153;
+                                        phi_889_ = _e260;
                                     }
-                                    let _e157 = phi_827_;
-                                    phi_828_ = _e157;
-                                    phi_829_ = false;
+                                    let _e264 = phi_889_;
+                                    phi_890_ = _e264;
+                                    phi_891_ = false;
                                 } else {
-                                    phi_828_ = bool();
-                                    phi_829_ = true;
+                                    phi_890_ = bool();
+                                    phi_891_ = true;
                                 }
-                                let _e159 = phi_828_;
-                                let _e161 = phi_829_;
-                                phi_830_ = _e159;
-                                phi_831_ = false;
-                                phi_832_ = _e161;
+                                let _e266 = phi_890_;
+                                let _e268 = phi_891_;
+                                phi_892_ = _e266;
+                                phi_893_ = false;
+                                phi_894_ = _e268;
                             } else {
-                                phi_830_ = bool();
-                                phi_831_ = true;
-                                phi_832_ = false;
+                                phi_892_ = bool();
+                                phi_893_ = true;
+                                phi_894_ = false;
                             }
-                            let _e163 = phi_830_;
-                            let _e165 = phi_831_;
-                            let _e167 = phi_832_;
-                            phi_833_ = _e163;
-                            phi_834_ = _e165;
-                            phi_835_ = _e167;
+                            let _e270 = phi_892_;
+                            let _e272 = phi_893_;
+                            let _e274 = phi_894_;
+                            phi_895_ = _e270;
+                            phi_896_ = _e272;
+                            phi_897_ = _e274;
                         } else {
-                            phi_833_ = bool();
-                            phi_834_ = true;
-                            phi_835_ = false;
+                            phi_895_ = bool();
+                            phi_896_ = true;
+                            phi_897_ = false;
                         }
-                        let _e169 = phi_833_;
-                        let _e171 = phi_834_;
-                        let _e173 = phi_835_;
-                        phi_836_ = _e169;
-                        phi_837_ = _e171;
-                        phi_838_ = _e173;
+                        let _e276 = phi_895_;
+                        let _e278 = phi_896_;
+                        let _e280 = phi_897_;
+                        phi_898_ = _e276;
+                        phi_899_ = _e278;
+                        phi_900_ = _e280;
                     } else {
-                        phi_836_ = bool();
-                        phi_837_ = true;
-                        phi_838_ = false;
+                        phi_898_ = bool();
+                        phi_899_ = true;
+                        phi_900_ = false;
                     }
-                    let _e175 = phi_836_;
-                    let _e177 = phi_837_;
-                    let _e179 = phi_838_;
-                    phi_839_ = _e175;
-                    phi_840_ = _e177;
-                    phi_841_ = _e179;
+                    let _e282 = phi_898_;
+                    let _e284 = phi_899_;
+                    let _e286 = phi_900_;
+                    phi_901_ = _e282;
+                    phi_902_ = _e284;
+                    phi_903_ = _e286;
                 } else {
-                    phi_839_ = bool();
-                    phi_840_ = true;
-                    phi_841_ = false;
+                    phi_901_ = bool();
+                    phi_902_ = true;
+                    phi_903_ = false;
                 }
-                let _e181 = phi_839_;
-                let _e183 = phi_840_;
-                let _e185 = phi_841_;
-                phi_842_ = _e181;
-                phi_843_ = _e183;
-                phi_844_ = _e185;
+                let _e288 = phi_901_;
+                let _e290 = phi_902_;
+                let _e292 = phi_903_;
+                phi_904_ = _e288;
+                phi_905_ = _e290;
+                phi_906_ = _e292;
             } else {
-                phi_842_ = bool();
-                phi_843_ = true;
-                phi_844_ = false;
+                phi_904_ = bool();
+                phi_905_ = true;
+                phi_906_ = false;
             }
-            let _e187 = phi_842_;
-            let _e189 = phi_843_;
-            let _e191 = phi_844_;
-            if _e189 {
-                phi_848_ = true;
+            let _e294 = phi_904_;
+            let _e296 = phi_905_;
+            let _e298 = phi_906_;
+            if _e296 {
+                phi_910_ = true;
             } else {
-                phi_848_ = _e191;
+                phi_910_ = _e298;
             }
-            let _e193 = phi_848_;
-            if _e193 {
-                phi_852_ = false;
+            let _e300 = phi_910_;
+            if _e300 {
+                phi_914_ = false;
             } else {
-                phi_852_ = _e187;
+                phi_914_ = _e294;
             }
-            let _e195 = phi_852_;
-            if _e195 {
-                let _e196 = (_e123 >= _e76);
-                if _e196 {
-                    phi_3353_ = bool();
+            let _e302 = phi_914_;
+            if _e302 {
+                let _e303 = (_e205 >= _e79);
+                if _e303 {
+                    phi_3406_ = bool();
                 } else {
-                    if (_e123 < _e76) {
+                    if (_e205 < _e79) {
                     } else {
                         return;
                     }
-                    let _e202 = nodes.member[(0u + _e123)].frame[0u];
-                    let _e206 = nodes.member[(0u + _e123)].frame[1u];
-                    let _e210 = nodes.member[(0u + _e123)].frame[2u];
-                    let _e214 = nodes.member[(0u + _e123)].frame[0u];
-                    let _e218 = nodes.member[(0u + _e123)].frame[1u];
-                    let _e222 = nodes.member[(0u + _e123)].frame[2u];
-                    let _e226 = nodes.member[(0u + _e123)].frame[3u];
-                    let _e264 = core_intrinsics_maximum_number_nsz_f32_(abs(_e126.direction.x), abs(_e126.direction.y));
-                    let _e265 = core_intrinsics_maximum_number_nsz_f32_(_e264, abs(_e126.direction.z));
-                    let _e266 = (_e265 * 0.0000000000009094947f);
-                    if (abs(_e126.direction.x) < _e266) {
-                        phi_927_ = _e266;
+                    let _e309 = nodes.member[(0u + _e205)].frame[0u];
+                    let _e313 = nodes.member[(0u + _e205)].frame[1u];
+                    let _e317 = nodes.member[(0u + _e205)].frame[2u];
+                    let _e321 = nodes.member[(0u + _e205)].frame[0u];
+                    let _e325 = nodes.member[(0u + _e205)].frame[1u];
+                    let _e329 = nodes.member[(0u + _e205)].frame[2u];
+                    let _e333 = nodes.member[(0u + _e205)].frame[3u];
+                    let _e367 = core_intrinsics_maximum_number_nsz_f32_(abs(_e239), abs(_e240));
+                    let _e368 = core_intrinsics_maximum_number_nsz_f32_(_e367, abs(_e241));
+                    let _e369 = (_e368 * 0.0000000000009094947f);
+                    if (abs(_e239) < _e369) {
+                        phi_984_ = _e369;
                     } else {
-                        phi_927_ = abs(_e126.direction.x);
+                        phi_984_ = abs(_e239);
                     }
-                    let _e273 = phi_927_;
-                    if (_e126.direction.x < 0f) {
-                        phi_934_ = (-1f / _e273);
+                    let _e374 = phi_984_;
+                    if (_e239 < 0f) {
+                        phi_991_ = (-1f / _e374);
                     } else {
-                        phi_934_ = (1f / _e273);
+                        phi_991_ = (1f / _e374);
                     }
-                    let _e278 = phi_934_;
-                    if (abs(_e126.direction.y) < _e266) {
-                        phi_942_ = _e266;
+                    let _e379 = phi_991_;
+                    if (abs(_e240) < _e369) {
+                        phi_998_ = _e369;
                     } else {
-                        phi_942_ = abs(_e126.direction.y);
+                        phi_998_ = abs(_e240);
                     }
-                    let _e285 = phi_942_;
-                    if (_e126.direction.y < 0f) {
-                        phi_949_ = (-1f / _e285);
+                    let _e384 = phi_998_;
+                    if (_e240 < 0f) {
+                        phi_1005_ = (-1f / _e384);
                     } else {
-                        phi_949_ = (1f / _e285);
+                        phi_1005_ = (1f / _e384);
                     }
-                    let _e290 = phi_949_;
-                    if (abs(_e126.direction.z) < _e266) {
-                        phi_957_ = _e266;
+                    let _e389 = phi_1005_;
+                    if (abs(_e241) < _e369) {
+                        phi_1012_ = _e369;
                     } else {
-                        phi_957_ = abs(_e126.direction.z);
+                        phi_1012_ = abs(_e241);
                     }
-                    let _e297 = phi_957_;
-                    if (_e126.direction.z < 0f) {
-                        phi_964_ = (-1f / _e297);
+                    let _e394 = phi_1012_;
+                    if (_e241 < 0f) {
+                        phi_1019_ = (-1f / _e394);
                     } else {
-                        phi_964_ = (1f / _e297);
+                        phi_1019_ = (1f / _e394);
                     }
-                    let _e302 = phi_964_;
-                    let _e310 = abs((bitcast<f32>(_e202) - _e126.origin.x));
-                    let _e311 = abs((bitcast<f32>(_e206) - _e126.origin.y));
-                    let _e312 = abs((bitcast<f32>(_e210) - _e126.origin.z));
-                    let _e320 = abs(((bitcast<f32>(_e214) + (bitcast<f32>((((_e226 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126.origin.x));
-                    let _e321 = abs(((bitcast<f32>(_e218) + (bitcast<f32>((((_e226 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126.origin.y));
-                    let _e322 = abs(((bitcast<f32>(_e222) + (bitcast<f32>((((_e226 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126.origin.z));
-                    if (_e310 > _e320) {
-                        phi_989_ = _e310;
+                    let _e399 = phi_1019_;
+                    let _e403 = abs((bitcast<f32>(_e309) - _e223));
+                    let _e404 = abs((bitcast<f32>(_e313) - _e225));
+                    let _e405 = abs((bitcast<f32>(_e317) - _e227));
+                    let _e409 = abs(((bitcast<f32>(_e321) + (bitcast<f32>((((_e333 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e223));
+                    let _e410 = abs(((bitcast<f32>(_e325) + (bitcast<f32>((((_e333 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e225));
+                    let _e411 = abs(((bitcast<f32>(_e329) + (bitcast<f32>((((_e333 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e227));
+                    if (_e403 > _e409) {
+                        phi_1036_ = _e403;
                     } else {
-                        phi_989_ = _e320;
+                        phi_1036_ = _e409;
                     }
-                    let _e325 = phi_989_;
-                    if (_e311 > _e321) {
-                        phi_994_ = _e311;
+                    let _e414 = phi_1036_;
+                    if (_e404 > _e410) {
+                        phi_1041_ = _e404;
                     } else {
-                        phi_994_ = _e321;
+                        phi_1041_ = _e410;
                     }
-                    let _e328 = phi_994_;
-                    if (_e312 > _e322) {
-                        phi_999_ = _e312;
+                    let _e417 = phi_1041_;
+                    if (_e405 > _e411) {
+                        phi_1046_ = _e405;
                     } else {
-                        phi_999_ = _e322;
+                        phi_1046_ = _e411;
                     }
-                    let _e331 = phi_999_;
-                    let _e332 = core_intrinsics_maximum_number_nsz_f32_(_e325, _e328);
-                    let _e333 = core_intrinsics_maximum_number_nsz_f32_(_e332, _e331);
-                    let _e338 = (_e333 * 0.0000019073486f);
-                    let _e339 = (abs(_e278) * _e338);
-                    let _e340 = (abs(_e290) * _e338);
-                    let _e341 = (abs(_e302) * _e338);
-                    let _e345 = (_e333 * 0.0000009536743f);
-                    let _e346 = (abs(_e278) * _e345);
-                    let _e347 = (abs(_e290) * _e345);
-                    let _e348 = (abs(_e302) * _e345);
-                    if (_e278 < 0f) {
-                        phi_1021_ = 0u;
+                    let _e420 = phi_1046_;
+                    let _e421 = core_intrinsics_maximum_number_nsz_f32_(_e414, _e417);
+                    let _e422 = core_intrinsics_maximum_number_nsz_f32_(_e421, _e420);
+                    let _e426 = (_e422 * 0.0000019073486f);
+                    let _e427 = (abs(_e379) * _e426);
+                    let _e428 = (abs(_e389) * _e426);
+                    let _e429 = (abs(_e399) * _e426);
+                    let _e433 = (_e422 * 0.0000009536743f);
+                    let _e434 = (abs(_e379) * _e433);
+                    let _e435 = (abs(_e389) * _e433);
+                    let _e436 = (abs(_e399) * _e433);
+                    if (_e379 < 0f) {
+                        phi_1067_ = 0u;
                     } else {
-                        phi_1021_ = 1u;
+                        phi_1067_ = 1u;
                     }
-                    let _e351 = phi_1021_;
-                    if (_e290 < 0f) {
-                        phi_1026_ = 0u;
+                    let _e439 = phi_1067_;
+                    if (_e389 < 0f) {
+                        phi_1072_ = 0u;
                     } else {
-                        phi_1026_ = 2u;
+                        phi_1072_ = 2u;
                     }
-                    let _e354 = phi_1026_;
-                    if (_e302 < 0f) {
-                        phi_1031_ = 0u;
+                    let _e442 = phi_1072_;
+                    if (_e399 < 0f) {
+                        phi_1077_ = 0u;
                     } else {
-                        phi_1031_ = 4u;
+                        phi_1077_ = 4u;
                     }
-                    let _e357 = phi_1031_;
-                    let _e359 = ((_e351 | _e354) | _e357);
-                    let _e360 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e123, 2147483648u);
-                    local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e360.first[0], _e360.first[1], _e360.first[2], _e360.first[3], _e360.first[4], _e360.first[5], _e360.first[6], _e360.first[7], _e360.first[8], _e360.first[9], _e360.first[10], _e360.first[11], _e360.first[12], _e360.first[13], _e360.first[14], _e360.first[15], _e360.first[16], _e360.first[17], _e360.first[18], _e360.first[19], _e360.first[20], _e360.first[21], _e360.first[22], _e360.first[23], _e360.first[24], _e360.first[25], _e360.first[26], _e360.first[27], _e360.first[28], _e360.first[29], _e360.first[30], _e360.first[31]), array<u32, 32>(_e360.mask[0], _e360.mask[1], _e360.mask[2], _e360.mask[3], _e360.mask[4], _e360.mask[5], _e360.mask[6], _e360.mask[7], _e360.mask[8], _e360.mask[9], _e360.mask[10], _e360.mask[11], _e360.mask[12], _e360.mask[13], _e360.mask[14], _e360.mask[15], _e360.mask[16], _e360.mask[17], _e360.mask[18], _e360.mask[19], _e360.mask[20], _e360.mask[21], _e360.mask[22], _e360.mask[23], _e360.mask[24], _e360.mask[25], _e360.mask[26], _e360.mask[27], _e360.mask[28], _e360.mask[29], _e360.mask[30], _e360.mask[31]), _e360.len, _e360.group, _e360.group_mask);
-                    let _e434 = local_3.group_mask;
-                    if ((_e434 & 4278190080u) == 0u) {
-                        let _e438 = local_3.len;
-                        if (_e438 == 0u) {
-                            phi_1145_ = false;
+                    let _e445 = phi_1077_;
+                    let _e447 = ((_e439 | _e442) | _e445);
+                    let _e448 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e205, 2147483648u);
+                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e448.first[0], _e448.first[1], _e448.first[2], _e448.first[3], _e448.first[4], _e448.first[5], _e448.first[6], _e448.first[7], _e448.first[8], _e448.first[9], _e448.first[10], _e448.first[11], _e448.first[12], _e448.first[13], _e448.first[14], _e448.first[15], _e448.first[16], _e448.first[17], _e448.first[18], _e448.first[19], _e448.first[20], _e448.first[21], _e448.first[22], _e448.first[23], _e448.first[24], _e448.first[25], _e448.first[26], _e448.first[27], _e448.first[28], _e448.first[29], _e448.first[30], _e448.first[31]), array<u32, 32>(_e448.mask[0], _e448.mask[1], _e448.mask[2], _e448.mask[3], _e448.mask[4], _e448.mask[5], _e448.mask[6], _e448.mask[7], _e448.mask[8], _e448.mask[9], _e448.mask[10], _e448.mask[11], _e448.mask[12], _e448.mask[13], _e448.mask[14], _e448.mask[15], _e448.mask[16], _e448.mask[17], _e448.mask[18], _e448.mask[19], _e448.mask[20], _e448.mask[21], _e448.mask[22], _e448.mask[23], _e448.mask[24], _e448.mask[25], _e448.mask[26], _e448.mask[27], _e448.mask[28], _e448.mask[29], _e448.mask[30], _e448.mask[31]), _e448.len, _e448.group, _e448.group_mask);
+                    let _e522 = local_2.group_mask;
+                    if ((_e522 & 4278190080u) == 0u) {
+                        let _e526 = local_2.len;
+                        if (_e526 == 0u) {
+                            phi_1191_ = false;
                         } else {
-                            let _e442 = local_3.len;
-                            local_3.len = (_e442 - 1u);
-                            let _e445 = local_3.len;
-                            if (_e445 < 32u) {
+                            let _e530 = local_2.len;
+                            local_2.len = (_e530 - 1u);
+                            let _e533 = local_2.len;
+                            if (_e533 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e450 = local_3.first[(0u + _e445)];
-                            local_3.group = _e450;
-                            let _e453 = local_3.len;
-                            if (_e453 < 32u) {
+                            let _e538 = local_2.first[(0u + _e533)];
+                            local_2.group = _e538;
+                            let _e541 = local_2.len;
+                            if (_e541 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e458 = local_3.mask[(0u + _e453)];
-                            local_3.group_mask = _e458;
-                            phi_1145_ = true;
+                            let _e546 = local_2.mask[(0u + _e541)];
+                            local_2.group_mask = _e546;
+                            phi_1191_ = true;
                         }
-                        let _e461 = phi_1145_;
-                        phi_1146_ = _e461;
+                        let _e549 = phi_1191_;
+                        phi_1192_ = _e549;
                     } else {
-                        phi_1146_ = true;
+                        phi_1192_ = true;
                     }
-                    let _e463 = phi_1146_;
-                    if _e463 {
-                        let _e465 = local_3.group_mask;
-                        let _e471 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e465)), 32u, (_e465 == 0u)));
-                        let _e475 = local_3.group_mask;
-                        let _e489 = local_3.group_mask;
-                        local_3.group_mask = (_e489 & ~((1u << bitcast<u32>((_e471 & 31u)))));
-                        let _e492 = local_3.group;
-                        phi_1177_ = (_e492 + countOneBits(((_e475 & ~((4294967295u << bitcast<u32>((((_e471 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e551 = phi_1192_;
+                    if _e551 {
+                        let _e553 = local_2.group_mask;
+                        let _e559 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e553)), 32u, (_e553 == 0u)));
+                        let _e563 = local_2.group_mask;
+                        let _e577 = local_2.group_mask;
+                        local_2.group_mask = (_e577 & ~((1u << bitcast<u32>((_e559 & 31u)))));
+                        let _e580 = local_2.group;
+                        phi_1223_ = (_e580 + countOneBits(((_e563 & ~((4294967295u << bitcast<u32>((((_e559 - 24u) ^ 7u) & 31u))))) & 255u)));
                     } else {
-                        phi_1177_ = 4294967295u;
+                        phi_1223_ = 4294967295u;
                     }
-                    let _e495 = phi_1177_;
-                    phi_1179_ = _e495;
+                    let _e583 = phi_1223_;
+                    phi_1225_ = _e583;
                     loop {
-                        let _e497 = phi_1179_;
-                        if (_e497 != 4294967295u) {
-                            if (_e497 < _e76) {
+                        let _e585 = phi_1225_;
+                        if (_e585 != 4294967295u) {
+                            if (_e585 < _e79) {
                             } else {
                                 return;
                             }
-                            let _e506 = nodes.member[(0u + _e497)].frame[3u];
-                            let _e531 = (bitcast<f32>((((_e506 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e278);
-                            let _e532 = (bitcast<f32>((((_e506 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e290);
-                            let _e533 = (bitcast<f32>((((_e506 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
-                            let _e536 = nodes.member[(0u + _e497)].frame[0u];
-                            let _e540 = nodes.member[(0u + _e497)].frame[1u];
-                            let _e544 = nodes.member[(0u + _e497)].frame[2u];
-                            let _e552 = ((bitcast<f32>(_e536) - _e126.origin.x) * _e278);
-                            let _e553 = ((bitcast<f32>(_e540) - _e126.origin.y) * _e290);
-                            let _e554 = ((bitcast<f32>(_e544) - _e126.origin.z) * _e302);
-                            let _e562 = nodes.member[(0u + _e497)].x;
-                            if (_e278 < 0f) {
-                                let _e573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e562.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e573.unnamed.root, _e562.w), _e573.unnamed_1);
-                                let _e585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e579.unnamed, lt_bvh_traverse_Tree(_e562.x, _e579.unnamed_1.first_primitive));
-                                phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e585.unnamed, lt_bvh_traverse_Tree(_e585.unnamed_1.root, _e562.y));
+                            let _e592 = nodes.member[(0u + _e585)].frame[3u];
+                            let _e617 = (bitcast<f32>((((_e592 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e379);
+                            let _e618 = (bitcast<f32>((((_e592 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e389);
+                            let _e619 = (bitcast<f32>((((_e592 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e399);
+                            let _e622 = nodes.member[(0u + _e585)].frame[0u];
+                            let _e626 = nodes.member[(0u + _e585)].frame[1u];
+                            let _e630 = nodes.member[(0u + _e585)].frame[2u];
+                            let _e635 = ((bitcast<f32>(_e622) - _e223) * _e379);
+                            let _e636 = ((bitcast<f32>(_e626) - _e225) * _e389);
+                            let _e637 = ((bitcast<f32>(_e630) - _e227) * _e399);
+                            let _e645 = nodes.member[(0u + _e585)].x;
+                            if (_e379 < 0f) {
+                                let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e645.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e656.unnamed.root, _e645.w), _e656.unnamed_1);
+                                let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e662.unnamed, lt_bvh_traverse_Tree(_e645.x, _e662.unnamed_1.first_primitive));
+                                phi_1306_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e668.unnamed_1.root, _e645.y));
                             } else {
-                                let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e562.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e601.unnamed.root, _e562.y), _e601.unnamed_1);
-                                let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e562.z, _e607.unnamed_1.first_primitive));
-                                phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e613.unnamed, lt_bvh_traverse_Tree(_e613.unnamed_1.root, _e562.w));
+                                let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e645.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e684.unnamed.root, _e645.y), _e684.unnamed_1);
+                                let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e645.z, _e690.unnamed_1.first_primitive));
+                                phi_1306_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e696.unnamed_1.root, _e645.w));
                             }
-                            let _e621 = phi_1265_;
-                            let _e631 = nodes.member[(0u + _e497)].y;
-                            if (_e290 < 0f) {
-                                let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e642.unnamed.root, _e631.w), _e642.unnamed_1);
-                                let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e631.x, _e648.unnamed_1.first_primitive));
-                                phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e654.unnamed, lt_bvh_traverse_Tree(_e654.unnamed_1.root, _e631.y));
+                            let _e704 = phi_1306_;
+                            let _e714 = nodes.member[(0u + _e585)].y;
+                            if (_e389 < 0f) {
+                                let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e714.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e725.unnamed.root, _e714.w), _e725.unnamed_1);
+                                let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_bvh_traverse_Tree(_e714.x, _e731.unnamed_1.first_primitive));
+                                phi_1333_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e737.unnamed_1.root, _e714.y));
                             } else {
-                                let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e670.unnamed.root, _e631.y), _e670.unnamed_1);
-                                let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e631.z, _e676.unnamed_1.first_primitive));
-                                phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_bvh_traverse_Tree(_e682.unnamed_1.root, _e631.w));
+                                let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e714.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e753.unnamed.root, _e714.y), _e753.unnamed_1);
+                                let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_bvh_traverse_Tree(_e714.z, _e759.unnamed_1.first_primitive));
+                                phi_1333_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_bvh_traverse_Tree(_e765.unnamed_1.root, _e714.w));
                             }
-                            let _e690 = phi_1292_;
-                            let _e700 = nodes.member[(0u + _e497)].z;
-                            if (_e302 < 0f) {
-                                let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e711.unnamed.root, _e700.w), _e711.unnamed_1);
-                                let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e700.x, _e717.unnamed_1.first_primitive));
-                                phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_bvh_traverse_Tree(_e723.unnamed_1.root, _e700.y));
+                            let _e773 = phi_1333_;
+                            let _e783 = nodes.member[(0u + _e585)].z;
+                            if (_e399 < 0f) {
+                                let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e783.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e794.unnamed.root, _e783.w), _e794.unnamed_1);
+                                let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_bvh_traverse_Tree(_e783.x, _e800.unnamed_1.first_primitive));
+                                phi_1360_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_bvh_traverse_Tree(_e806.unnamed_1.root, _e783.y));
                             } else {
-                                let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e739.unnamed.root, _e700.y), _e739.unnamed_1);
-                                let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e700.z, _e745.unnamed_1.first_primitive));
-                                phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_bvh_traverse_Tree(_e751.unnamed_1.root, _e700.w));
+                                let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e783.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e828 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e822.unnamed.root, _e783.y), _e822.unnamed_1);
+                                let _e834 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e828.unnamed, lt_bvh_traverse_Tree(_e783.z, _e828.unnamed_1.first_primitive));
+                                phi_1360_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e834.unnamed, lt_bvh_traverse_Tree(_e834.unnamed_1.root, _e783.w));
                             }
-                            let _e759 = phi_1319_;
-                            phi_1325_ = 0u;
-                            phi_1328_ = 0u;
+                            let _e842 = phi_1360_;
+                            phi_1366_ = 0u;
+                            phi_1369_ = 0u;
                             loop {
-                                let _e769 = phi_1325_;
-                                let _e771 = phi_1328_;
-                                local_5 = _e771;
-                                local_6 = _e771;
-                                local_7 = _e771;
-                                let _e772 = (_e769 < 8u);
-                                if _e772 {
-                                    let _e774 = (_e769 >> bitcast<u32>(2i));
-                                    let _e775 = (_e769 & 3u);
-                                    if (_e774 == 0u) {
-                                        phi_1342_ = _e621.unnamed.root;
+                                let _e852 = phi_1366_;
+                                let _e854 = phi_1369_;
+                                local_4 = _e854;
+                                local_5 = _e854;
+                                local_6 = _e854;
+                                let _e855 = (_e852 < 8u);
+                                if _e855 {
+                                    let _e857 = (_e852 >> bitcast<u32>(2i));
+                                    let _e858 = (_e852 & 3u);
+                                    if (_e857 == 0u) {
+                                        phi_1383_ = _e704.unnamed.root;
                                     } else {
-                                        phi_1342_ = _e621.unnamed.first_primitive;
+                                        phi_1383_ = _e704.unnamed.first_primitive;
                                     }
-                                    let _e778 = phi_1342_;
-                                    if (_e774 == 0u) {
-                                        phi_1352_ = _e690.unnamed.root;
+                                    let _e861 = phi_1383_;
+                                    if (_e857 == 0u) {
+                                        phi_1393_ = _e773.unnamed.root;
                                     } else {
-                                        phi_1352_ = _e690.unnamed.first_primitive;
+                                        phi_1393_ = _e773.unnamed.first_primitive;
                                     }
-                                    let _e787 = phi_1352_;
-                                    if (_e774 == 0u) {
-                                        phi_1362_ = _e759.unnamed.root;
+                                    let _e870 = phi_1393_;
+                                    if (_e857 == 0u) {
+                                        phi_1403_ = _e842.unnamed.root;
                                     } else {
-                                        phi_1362_ = _e759.unnamed.first_primitive;
+                                        phi_1403_ = _e842.unnamed.first_primitive;
                                     }
-                                    let _e796 = phi_1362_;
-                                    let _e809 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e778 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e531) + (_e552 - _e339)), ((f32(((_e787 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e532) + (_e553 - _e340)));
-                                    let _e810 = core_intrinsics_maximum_number_nsz_f32_(_e809, ((f32(((_e796 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e533) + (_e554 - _e341)));
-                                    if (_e774 == 0u) {
-                                        phi_1380_ = _e621.unnamed_1.root;
+                                    let _e879 = phi_1403_;
+                                    let _e892 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e861 >> bitcast<u32>(((_e858 * 8u) & 31u))) & 255u)) * _e617) + (_e635 - _e427)), ((f32(((_e870 >> bitcast<u32>(((_e858 * 8u) & 31u))) & 255u)) * _e618) + (_e636 - _e428)));
+                                    let _e893 = core_intrinsics_maximum_number_nsz_f32_(_e892, ((f32(((_e879 >> bitcast<u32>(((_e858 * 8u) & 31u))) & 255u)) * _e619) + (_e637 - _e429)));
+                                    if (_e857 == 0u) {
+                                        phi_1421_ = _e704.unnamed_1.root;
                                     } else {
-                                        phi_1380_ = _e621.unnamed_1.first_primitive;
+                                        phi_1421_ = _e704.unnamed_1.first_primitive;
                                     }
-                                    let _e813 = phi_1380_;
-                                    if (_e774 == 0u) {
-                                        phi_1390_ = _e690.unnamed_1.root;
+                                    let _e896 = phi_1421_;
+                                    if (_e857 == 0u) {
+                                        phi_1431_ = _e773.unnamed_1.root;
                                     } else {
-                                        phi_1390_ = _e690.unnamed_1.first_primitive;
+                                        phi_1431_ = _e773.unnamed_1.first_primitive;
                                     }
-                                    let _e822 = phi_1390_;
-                                    if (_e774 == 0u) {
-                                        phi_1400_ = _e759.unnamed_1.root;
+                                    let _e905 = phi_1431_;
+                                    if (_e857 == 0u) {
+                                        phi_1441_ = _e842.unnamed_1.root;
                                     } else {
-                                        phi_1400_ = _e759.unnamed_1.first_primitive;
+                                        phi_1441_ = _e842.unnamed_1.first_primitive;
                                     }
-                                    let _e831 = phi_1400_;
-                                    let _e844 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e813 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e531) + (_e552 + _e339)), ((f32(((_e822 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e532) + (_e553 + _e340)));
-                                    let _e845 = core_intrinsics_minimum_number_nsz_f32_(_e844, ((f32(((_e831 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e533) + (_e554 + _e341)));
-                                    if (_e810 <= _e845) {
-                                        if (_e810 <= _e126.tmax) {
-                                            if (_e845 >= _e126.tmin) {
-                                                if (_e774 == 0u) {
-                                                    let _e852 = nodes.member[(0u + _e497)].links[2u];
-                                                    phi_1436_ = _e852;
+                                    let _e914 = phi_1441_;
+                                    let _e927 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e896 >> bitcast<u32>(((_e858 * 8u) & 31u))) & 255u)) * _e617) + (_e635 + _e427)), ((f32(((_e905 >> bitcast<u32>(((_e858 * 8u) & 31u))) & 255u)) * _e618) + (_e636 + _e428)));
+                                    let _e928 = core_intrinsics_minimum_number_nsz_f32_(_e927, ((f32(((_e914 >> bitcast<u32>(((_e858 * 8u) & 31u))) & 255u)) * _e619) + (_e637 + _e429)));
+                                    if (_e893 <= _e928) {
+                                        if (_e893 <= _e231) {
+                                            if (_e928 >= 0f) {
+                                                if (_e857 == 0u) {
+                                                    let _e935 = nodes.member[(0u + _e585)].links[2u];
+                                                    phi_1477_ = _e935;
                                                 } else {
-                                                    let _e855 = nodes.member[(0u + _e497)].links[3u];
-                                                    phi_1436_ = _e855;
+                                                    let _e938 = nodes.member[(0u + _e585)].links[3u];
+                                                    phi_1477_ = _e938;
                                                 }
-                                                let _e857 = phi_1436_;
-                                                let _e862 = ((_e857 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u);
-                                                let _e863 = (_e862 & 31u);
-                                                if (_e863 >= 24u) {
-                                                    phi_1449_ = (24u + ((_e863 - 24u) ^ _e359));
+                                                let _e940 = phi_1477_;
+                                                let _e945 = ((_e940 >> bitcast<u32>(((_e858 * 8u) & 31u))) & 255u);
+                                                let _e946 = (_e945 & 31u);
+                                                if (_e946 >= 24u) {
+                                                    phi_1490_ = (24u + ((_e946 - 24u) ^ _e447));
                                                 } else {
-                                                    phi_1449_ = _e863;
+                                                    phi_1490_ = _e946;
                                                 }
-                                                let _e869 = phi_1449_;
-                                                phi_1454_ = (_e771 | ((_e862 >> bitcast<u32>(5i)) << bitcast<u32>((_e869 & 31u))));
+                                                let _e952 = phi_1490_;
+                                                phi_1495_ = (_e854 | ((_e945 >> bitcast<u32>(5i)) << bitcast<u32>((_e952 & 31u))));
                                             } else {
-                                                phi_1454_ = _e771;
+                                                phi_1495_ = _e854;
                                             }
-                                            let _e877 = phi_1454_;
-                                            phi_1455_ = _e877;
+                                            let _e960 = phi_1495_;
+                                            phi_1496_ = _e960;
                                         } else {
-                                            phi_1455_ = _e771;
+                                            phi_1496_ = _e854;
                                         }
-                                        let _e879 = phi_1455_;
-                                        phi_1456_ = _e879;
+                                        let _e962 = phi_1496_;
+                                        phi_1497_ = _e962;
                                     } else {
-                                        phi_1456_ = _e771;
+                                        phi_1497_ = _e854;
                                     }
-                                    let _e881 = phi_1456_;
-                                    phi_1326_ = (_e769 + 1u);
-                                    phi_1329_ = _e881;
+                                    let _e964 = phi_1497_;
+                                    phi_1367_ = (_e852 + 1u);
+                                    phi_1370_ = _e964;
                                 } else {
-                                    phi_1326_ = u32();
-                                    phi_1329_ = u32();
+                                    phi_1367_ = u32();
+                                    phi_1370_ = u32();
                                 }
-                                let _e884 = phi_1326_;
-                                let _e886 = phi_1329_;
+                                let _e967 = phi_1367_;
+                                let _e969 = phi_1370_;
                                 continue;
                                 continuing {
-                                    phi_1325_ = _e884;
-                                    phi_1328_ = _e886;
-                                    break if !(_e772);
+                                    phi_1366_ = _e967;
+                                    phi_1369_ = _e969;
+                                    break if !(_e855);
                                 }
                             }
-                            let _e890 = nodes.member[(0u + _e497)].links[0u];
-                            let _e894 = nodes.member[(0u + _e497)].frame[3u];
-                            let _e898 = local_5;
-                            if ((_e898 & 4278190080u) == 0u) {
+                            let _e973 = nodes.member[(0u + _e585)].links[0u];
+                            let _e977 = nodes.member[(0u + _e585)].frame[3u];
+                            let _e981 = local_4;
+                            if ((_e981 & 4278190080u) == 0u) {
                             } else {
-                                let _e902 = local_3.group_mask;
-                                if ((_e902 & 4278190080u) == 0u) {
+                                let _e985 = local_2.group_mask;
+                                if ((_e985 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e906 = local_3.len;
-                                    if (_e906 < 32u) {
-                                        let _e909 = local_3.group;
-                                        let _e911 = local_3.len;
-                                        if (_e911 < 32u) {
+                                    let _e989 = local_2.len;
+                                    if (_e989 < 32u) {
+                                        let _e992 = local_2.group;
+                                        let _e994 = local_2.len;
+                                        if (_e994 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_3.first[(0u + _e911)] = _e909;
-                                        let _e917 = local_3.group_mask;
-                                        let _e919 = local_3.len;
-                                        if (_e919 < 32u) {
+                                        local_2.first[(0u + _e994)] = _e992;
+                                        let _e1000 = local_2.group_mask;
+                                        let _e1002 = local_2.len;
+                                        if (_e1002 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_3.mask[(0u + _e919)] = _e917;
-                                        let _e926 = local_3.len;
-                                        local_3.len = (_e926 + 1u);
+                                        local_2.mask[(0u + _e1002)] = _e1000;
+                                        let _e1009 = local_2.len;
+                                        local_2.len = (_e1009 + 1u);
                                     }
                                 }
-                                local_3.group = (_e123 + _e890);
-                                let _e930 = local_6;
-                                local_3.group_mask = ((_e930 & 4278190080u) | (_e894 >> bitcast<u32>(24i)));
+                                local_2.group = (_e205 + _e973);
+                                let _e1013 = local_5;
+                                local_2.group_mask = ((_e1013 & 4278190080u) | (_e977 >> bitcast<u32>(24i)));
                             }
-                            let _e935 = local_7;
-                            phi_1514_ = (_e935 & 16777215u);
+                            let _e1018 = local_6;
+                            phi_1555_ = (_e1018 & 16777215u);
                             loop {
-                                let _e938 = phi_1514_;
-                                let _e939 = (_e938 == 0u);
-                                local_13 = _e939;
-                                local_20 = _e939;
-                                if _e939 {
-                                    phi_1515_ = u32();
-                                    phi_3267_ = false;
+                                let _e1021 = phi_1555_;
+                                let _e1022 = (_e1021 == 0u);
+                                local_12 = _e1022;
+                                local_19 = _e1022;
+                                if _e1022 {
+                                    phi_1556_ = u32();
+                                    phi_3320_ = false;
                                 } else {
-                                    let _e942 = nodes.member[(0u + _e497)].links[1u];
-                                    let _e946 = (_e942 + select(firstTrailingBit(_e938), 32u, (_e938 == 0u)));
-                                    if (_e946 < arrayLength((&instances.member))) {
+                                    let _e1025 = nodes.member[(0u + _e585)].links[1u];
+                                    let _e1029 = (_e1025 + select(firstTrailingBit(_e1021), 32u, (_e1021 == 0u)));
+                                    if (_e1029 < arrayLength((&instances.member))) {
                                     } else {
                                         return;
                                     }
-                                    let _e953 = instances.member[(0u + _e946)].low_world;
-                                    let _e955 = instances.member[(0u + _e946)].high_world;
-                                    let _e965 = ((_e953.x - _e126.origin.x) * _e278);
-                                    let _e966 = ((_e953.y - _e126.origin.y) * _e290);
-                                    let _e967 = ((_e953.z - _e126.origin.z) * _e302);
-                                    let _e977 = ((_e955.x - _e126.origin.x) * _e278);
-                                    let _e978 = ((_e955.y - _e126.origin.y) * _e290);
-                                    let _e979 = ((_e955.z - _e126.origin.z) * _e302);
-                                    if (_e965 < _e977) {
-                                        phi_1570_ = _e965;
+                                    let _e1036 = instances.member[(0u + _e1029)].low_world;
+                                    let _e1038 = instances.member[(0u + _e1029)].high_world;
+                                    let _e1045 = ((_e1036.x - _e223) * _e379);
+                                    let _e1046 = ((_e1036.y - _e225) * _e389);
+                                    let _e1047 = ((_e1036.z - _e227) * _e399);
+                                    let _e1054 = ((_e1038.x - _e223) * _e379);
+                                    let _e1055 = ((_e1038.y - _e225) * _e389);
+                                    let _e1056 = ((_e1038.z - _e227) * _e399);
+                                    if (_e1045 < _e1054) {
+                                        phi_1605_ = _e1045;
                                     } else {
-                                        phi_1570_ = _e977;
+                                        phi_1605_ = _e1054;
                                     }
-                                    let _e982 = phi_1570_;
-                                    if (_e966 < _e978) {
-                                        phi_1575_ = _e966;
+                                    let _e1059 = phi_1605_;
+                                    if (_e1046 < _e1055) {
+                                        phi_1610_ = _e1046;
                                     } else {
-                                        phi_1575_ = _e978;
+                                        phi_1610_ = _e1055;
                                     }
-                                    let _e985 = phi_1575_;
-                                    if (_e967 < _e979) {
-                                        phi_1580_ = _e967;
+                                    let _e1062 = phi_1610_;
+                                    if (_e1047 < _e1056) {
+                                        phi_1615_ = _e1047;
                                     } else {
-                                        phi_1580_ = _e979;
+                                        phi_1615_ = _e1056;
                                     }
-                                    let _e988 = phi_1580_;
-                                    if (_e965 > _e977) {
-                                        phi_1588_ = _e965;
+                                    let _e1065 = phi_1615_;
+                                    if (_e1045 > _e1054) {
+                                        phi_1623_ = _e1045;
                                     } else {
-                                        phi_1588_ = _e977;
+                                        phi_1623_ = _e1054;
                                     }
-                                    let _e994 = phi_1588_;
-                                    if (_e966 > _e978) {
-                                        phi_1593_ = _e966;
+                                    let _e1071 = phi_1623_;
+                                    if (_e1046 > _e1055) {
+                                        phi_1628_ = _e1046;
                                     } else {
-                                        phi_1593_ = _e978;
+                                        phi_1628_ = _e1055;
                                     }
-                                    let _e997 = phi_1593_;
-                                    if (_e967 > _e979) {
-                                        phi_1598_ = _e967;
+                                    let _e1074 = phi_1628_;
+                                    if (_e1047 > _e1056) {
+                                        phi_1633_ = _e1047;
                                     } else {
-                                        phi_1598_ = _e979;
+                                        phi_1633_ = _e1056;
                                     }
-                                    let _e1000 = phi_1598_;
-                                    let _e1004 = core_intrinsics_maximum_number_nsz_f32_((_e982 - _e346), (_e985 - _e347));
-                                    let _e1005 = core_intrinsics_maximum_number_nsz_f32_(_e1004, (_e988 - _e348));
-                                    let _e1006 = core_intrinsics_minimum_number_nsz_f32_((_e994 + _e346), (_e997 + _e347));
-                                    let _e1007 = core_intrinsics_minimum_number_nsz_f32_(_e1006, (_e1000 + _e348));
-                                    if (_e1005 <= _e1007) {
-                                        if (_e1005 <= _e126.tmax) {
-                                            if (_e1007 >= _e126.tmin) {
-                                                let _e1019 = instances.member[(0u + _e946)].world_to_object[0u];
-                                                let _e1030 = ((((_e1019.x * _e126.origin.x) + (_e1019.y * _e126.origin.y)) + (_e1019.z * _e126.origin.z)) + (_e1019.w * 1f));
-                                                let _e1032 = instances.member[(0u + _e946)].world_to_object[1u];
-                                                let _e1043 = ((((_e1032.x * _e126.origin.x) + (_e1032.y * _e126.origin.y)) + (_e1032.z * _e126.origin.z)) + (_e1032.w * 1f));
-                                                let _e1045 = instances.member[(0u + _e946)].world_to_object[2u];
-                                                let _e1056 = ((((_e1045.x * _e126.origin.x) + (_e1045.y * _e126.origin.y)) + (_e1045.z * _e126.origin.z)) + (_e1045.w * 1f));
-                                                let _e1063 = instances.member[(0u + _e946)].world_to_object[0u];
-                                                let _e1074 = ((((_e1063.x * _e126.direction.x) + (_e1063.y * _e126.direction.y)) + (_e1063.z * _e126.direction.z)) + (_e1063.w * 0f));
-                                                let _e1076 = instances.member[(0u + _e946)].world_to_object[1u];
-                                                let _e1087 = ((((_e1076.x * _e126.direction.x) + (_e1076.y * _e126.direction.y)) + (_e1076.z * _e126.direction.z)) + (_e1076.w * 0f));
-                                                let _e1089 = instances.member[(0u + _e946)].world_to_object[2u];
-                                                let _e1100 = ((((_e1089.x * _e126.direction.x) + (_e1089.y * _e126.direction.y)) + (_e1089.z * _e126.direction.z)) + (_e1089.w * 0f));
-                                                let _e1105 = instances.member[(0u + _e946)].root;
-                                                let _e1107 = instances.member[(0u + _e946)].first_triangle;
-                                                let _e1111 = abs(_e1074);
-                                                let _e1112 = abs(_e1087);
-                                                let _e1113 = abs(_e1100);
-                                                if (abs(_e1030) < 1000000000000000f) {
-                                                    if (abs(_e1043) < 1000000000000000f) {
-                                                        if (abs(_e1056) < 1000000000000000f) {
-                                                            if (_e1111 < 1000000000000000f) {
-                                                                if (_e1112 < 1000000000000000f) {
-                                                                    if (_e1113 < 1000000000000000f) {
-                                                                        if (_e1111 > 0f) {
-                                                                            phi_1755_ = bool();
-                                                                            phi_1756_ = true;
+                                    let _e1077 = phi_1633_;
+                                    let _e1081 = core_intrinsics_maximum_number_nsz_f32_((_e1059 - _e434), (_e1062 - _e435));
+                                    let _e1082 = core_intrinsics_maximum_number_nsz_f32_(_e1081, (_e1065 - _e436));
+                                    let _e1083 = core_intrinsics_minimum_number_nsz_f32_((_e1071 + _e434), (_e1074 + _e435));
+                                    let _e1084 = core_intrinsics_minimum_number_nsz_f32_(_e1083, (_e1077 + _e436));
+                                    if (_e1082 <= _e1084) {
+                                        if (_e1082 <= _e231) {
+                                            if (_e1084 >= 0f) {
+                                                let _e1090 = instances.member[(0u + _e1029)].world_to_object[0u];
+                                                let _e1101 = ((((_e1090.x * _e223) + (_e1090.y * _e225)) + (_e1090.z * _e227)) + (_e1090.w * 1f));
+                                                let _e1103 = instances.member[(0u + _e1029)].world_to_object[1u];
+                                                let _e1114 = ((((_e1103.x * _e223) + (_e1103.y * _e225)) + (_e1103.z * _e227)) + (_e1103.w * 1f));
+                                                let _e1116 = instances.member[(0u + _e1029)].world_to_object[2u];
+                                                let _e1127 = ((((_e1116.x * _e223) + (_e1116.y * _e225)) + (_e1116.z * _e227)) + (_e1116.w * 1f));
+                                                let _e1130 = instances.member[(0u + _e1029)].world_to_object[0u];
+                                                let _e1141 = ((((_e1130.x * _e239) + (_e1130.y * _e240)) + (_e1130.z * _e241)) + (_e1130.w * 0f));
+                                                let _e1143 = instances.member[(0u + _e1029)].world_to_object[1u];
+                                                let _e1154 = ((((_e1143.x * _e239) + (_e1143.y * _e240)) + (_e1143.z * _e241)) + (_e1143.w * 0f));
+                                                let _e1156 = instances.member[(0u + _e1029)].world_to_object[2u];
+                                                let _e1167 = ((((_e1156.x * _e239) + (_e1156.y * _e240)) + (_e1156.z * _e241)) + (_e1156.w * 0f));
+                                                let _e1170 = instances.member[(0u + _e1029)].root;
+                                                let _e1172 = instances.member[(0u + _e1029)].first_triangle;
+                                                let _e1176 = abs(_e1141);
+                                                let _e1177 = abs(_e1154);
+                                                let _e1178 = abs(_e1167);
+                                                if (abs(_e1101) < 1000000000000000f) {
+                                                    if (abs(_e1114) < 1000000000000000f) {
+                                                        if (abs(_e1127) < 1000000000000000f) {
+                                                            if (_e1176 < 1000000000000000f) {
+                                                                if (_e1177 < 1000000000000000f) {
+                                                                    if (_e1178 < 1000000000000000f) {
+                                                                        if (_e1176 > 0f) {
+                                                                            phi_1778_ = bool();
+                                                                            phi_1779_ = true;
                                                                         } else {
-                                                                            let _e1121 = (_e1112 > 0f);
-                                                                            if _e1121 {
-                                                                                phi_1754_ = bool();
+                                                                            let _e1186 = (_e1177 > 0f);
+                                                                            if _e1186 {
+                                                                                phi_1777_ = bool();
                                                                             } else {
-                                                                                phi_1754_ = (_e1113 > 0f);
+                                                                                phi_1777_ = (_e1178 > 0f);
                                                                             }
-                                                                            let _e1124 = phi_1754_;
-                                                                            phi_1755_ = _e1124;
-                                                                            phi_1756_ = _e1121;
+                                                                            let _e1189 = phi_1777_;
+                                                                            phi_1778_ = _e1189;
+                                                                            phi_1779_ = _e1186;
                                                                         }
-                                                                        let _e1126 = phi_1755_;
-                                                                        let _e1128 = phi_1756_;
-                                                                        if _e1128 {
-                                                                            phi_1760_ = true;
+                                                                        let _e1191 = phi_1778_;
+                                                                        let _e1193 = phi_1779_;
+                                                                        if _e1193 {
+                                                                            phi_1783_ = true;
                                                                         } else {
-                                                                            phi_1760_ = _e1126;
+                                                                            phi_1783_ = _e1191;
                                                                         }
-                                                                        let _e1130 = phi_1760_;
-                                                                        phi_1761_ = _e1130;
-                                                                        phi_1762_ = false;
+                                                                        let _e1195 = phi_1783_;
+                                                                        phi_1784_ = _e1195;
+                                                                        phi_1785_ = false;
                                                                     } else {
-                                                                        phi_1761_ = bool();
-                                                                        phi_1762_ = true;
+                                                                        phi_1784_ = bool();
+                                                                        phi_1785_ = true;
                                                                     }
-                                                                    let _e1132 = phi_1761_;
-                                                                    let _e1134 = phi_1762_;
-                                                                    phi_1763_ = _e1132;
-                                                                    phi_1764_ = false;
-                                                                    phi_1765_ = _e1134;
+                                                                    let _e1197 = phi_1784_;
+                                                                    let _e1199 = phi_1785_;
+                                                                    phi_1786_ = _e1197;
+                                                                    phi_1787_ = false;
+                                                                    phi_1788_ = _e1199;
                                                                 } else {
-                                                                    phi_1763_ = bool();
-                                                                    phi_1764_ = true;
-                                                                    phi_1765_ = false;
+                                                                    phi_1786_ = bool();
+                                                                    phi_1787_ = true;
+                                                                    phi_1788_ = false;
                                                                 }
-                                                                let _e1136 = phi_1763_;
-                                                                let _e1138 = phi_1764_;
-                                                                let _e1140 = phi_1765_;
-                                                                phi_1766_ = _e1136;
-                                                                phi_1767_ = _e1138;
-                                                                phi_1768_ = _e1140;
+                                                                let _e1201 = phi_1786_;
+                                                                let _e1203 = phi_1787_;
+                                                                let _e1205 = phi_1788_;
+                                                                phi_1789_ = _e1201;
+                                                                phi_1790_ = _e1203;
+                                                                phi_1791_ = _e1205;
                                                             } else {
-                                                                phi_1766_ = bool();
-                                                                phi_1767_ = true;
-                                                                phi_1768_ = false;
+                                                                phi_1789_ = bool();
+                                                                phi_1790_ = true;
+                                                                phi_1791_ = false;
                                                             }
-                                                            let _e1142 = phi_1766_;
-                                                            let _e1144 = phi_1767_;
-                                                            let _e1146 = phi_1768_;
-                                                            phi_1769_ = _e1142;
-                                                            phi_1770_ = _e1144;
-                                                            phi_1771_ = _e1146;
+                                                            let _e1207 = phi_1789_;
+                                                            let _e1209 = phi_1790_;
+                                                            let _e1211 = phi_1791_;
+                                                            phi_1792_ = _e1207;
+                                                            phi_1793_ = _e1209;
+                                                            phi_1794_ = _e1211;
                                                         } else {
-                                                            phi_1769_ = bool();
-                                                            phi_1770_ = true;
-                                                            phi_1771_ = false;
+                                                            phi_1792_ = bool();
+                                                            phi_1793_ = true;
+                                                            phi_1794_ = false;
                                                         }
-                                                        let _e1148 = phi_1769_;
-                                                        let _e1150 = phi_1770_;
-                                                        let _e1152 = phi_1771_;
-                                                        phi_1772_ = _e1148;
-                                                        phi_1773_ = _e1150;
-                                                        phi_1774_ = _e1152;
+                                                        let _e1213 = phi_1792_;
+                                                        let _e1215 = phi_1793_;
+                                                        let _e1217 = phi_1794_;
+                                                        phi_1795_ = _e1213;
+                                                        phi_1796_ = _e1215;
+                                                        phi_1797_ = _e1217;
                                                     } else {
-                                                        phi_1772_ = bool();
-                                                        phi_1773_ = true;
-                                                        phi_1774_ = false;
+                                                        phi_1795_ = bool();
+                                                        phi_1796_ = true;
+                                                        phi_1797_ = false;
                                                     }
-                                                    let _e1154 = phi_1772_;
-                                                    let _e1156 = phi_1773_;
-                                                    let _e1158 = phi_1774_;
-                                                    phi_1775_ = _e1154;
-                                                    phi_1776_ = _e1156;
-                                                    phi_1777_ = _e1158;
+                                                    let _e1219 = phi_1795_;
+                                                    let _e1221 = phi_1796_;
+                                                    let _e1223 = phi_1797_;
+                                                    phi_1798_ = _e1219;
+                                                    phi_1799_ = _e1221;
+                                                    phi_1800_ = _e1223;
                                                 } else {
-                                                    phi_1775_ = bool();
-                                                    phi_1776_ = true;
-                                                    phi_1777_ = false;
+                                                    phi_1798_ = bool();
+                                                    phi_1799_ = true;
+                                                    phi_1800_ = false;
                                                 }
-                                                let _e1160 = phi_1775_;
-                                                let _e1162 = phi_1776_;
-                                                let _e1164 = phi_1777_;
-                                                if _e1162 {
-                                                    phi_1781_ = true;
+                                                let _e1225 = phi_1798_;
+                                                let _e1227 = phi_1799_;
+                                                let _e1229 = phi_1800_;
+                                                if _e1227 {
+                                                    phi_1804_ = true;
                                                 } else {
-                                                    phi_1781_ = _e1164;
+                                                    phi_1804_ = _e1229;
                                                 }
-                                                let _e1166 = phi_1781_;
-                                                if _e1166 {
-                                                    phi_1785_ = false;
+                                                let _e1231 = phi_1804_;
+                                                if _e1231 {
+                                                    phi_1808_ = false;
                                                 } else {
-                                                    phi_1785_ = _e1160;
+                                                    phi_1808_ = _e1225;
                                                 }
-                                                let _e1168 = phi_1785_;
-                                                if _e1168 {
-                                                    let _e1169 = (_e1105 >= _e76);
-                                                    if _e1169 {
-                                                        phi_3250_ = bool();
+                                                let _e1233 = phi_1808_;
+                                                if _e1233 {
+                                                    let _e1234 = (_e1170 >= _e79);
+                                                    if _e1234 {
+                                                        phi_3303_ = bool();
                                                     } else {
-                                                        if (_e1105 < _e76) {
+                                                        if (_e1170 < _e79) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1175 = nodes.member[(0u + _e1105)].frame[0u];
-                                                        let _e1179 = nodes.member[(0u + _e1105)].frame[1u];
-                                                        let _e1183 = nodes.member[(0u + _e1105)].frame[2u];
-                                                        let _e1187 = nodes.member[(0u + _e1105)].frame[0u];
-                                                        let _e1191 = nodes.member[(0u + _e1105)].frame[1u];
-                                                        let _e1195 = nodes.member[(0u + _e1105)].frame[2u];
-                                                        let _e1199 = nodes.member[(0u + _e1105)].frame[3u];
-                                                        let _e1233 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1074), abs(_e1087));
-                                                        let _e1234 = core_intrinsics_maximum_number_nsz_f32_(_e1233, abs(_e1100));
-                                                        let _e1235 = (_e1234 * 0.0000000000009094947f);
-                                                        if (abs(_e1074) < _e1235) {
-                                                            phi_1855_ = _e1235;
+                                                        let _e1240 = nodes.member[(0u + _e1170)].frame[0u];
+                                                        let _e1244 = nodes.member[(0u + _e1170)].frame[1u];
+                                                        let _e1248 = nodes.member[(0u + _e1170)].frame[2u];
+                                                        let _e1252 = nodes.member[(0u + _e1170)].frame[0u];
+                                                        let _e1256 = nodes.member[(0u + _e1170)].frame[1u];
+                                                        let _e1260 = nodes.member[(0u + _e1170)].frame[2u];
+                                                        let _e1264 = nodes.member[(0u + _e1170)].frame[3u];
+                                                        let _e1298 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1141), abs(_e1154));
+                                                        let _e1299 = core_intrinsics_maximum_number_nsz_f32_(_e1298, abs(_e1167));
+                                                        let _e1300 = (_e1299 * 0.0000000000009094947f);
+                                                        if (abs(_e1141) < _e1300) {
+                                                            phi_1878_ = _e1300;
                                                         } else {
-                                                            phi_1855_ = abs(_e1074);
+                                                            phi_1878_ = abs(_e1141);
                                                         }
-                                                        let _e1240 = phi_1855_;
-                                                        if (_e1074 < 0f) {
-                                                            phi_1862_ = (-1f / _e1240);
+                                                        let _e1305 = phi_1878_;
+                                                        if (_e1141 < 0f) {
+                                                            phi_1885_ = (-1f / _e1305);
                                                         } else {
-                                                            phi_1862_ = (1f / _e1240);
+                                                            phi_1885_ = (1f / _e1305);
                                                         }
-                                                        let _e1245 = phi_1862_;
-                                                        if (abs(_e1087) < _e1235) {
-                                                            phi_1869_ = _e1235;
+                                                        let _e1310 = phi_1885_;
+                                                        if (abs(_e1154) < _e1300) {
+                                                            phi_1892_ = _e1300;
                                                         } else {
-                                                            phi_1869_ = abs(_e1087);
+                                                            phi_1892_ = abs(_e1154);
                                                         }
-                                                        let _e1250 = phi_1869_;
-                                                        if (_e1087 < 0f) {
-                                                            phi_1876_ = (-1f / _e1250);
+                                                        let _e1315 = phi_1892_;
+                                                        if (_e1154 < 0f) {
+                                                            phi_1899_ = (-1f / _e1315);
                                                         } else {
-                                                            phi_1876_ = (1f / _e1250);
+                                                            phi_1899_ = (1f / _e1315);
                                                         }
-                                                        let _e1255 = phi_1876_;
-                                                        if (abs(_e1100) < _e1235) {
-                                                            phi_1883_ = _e1235;
+                                                        let _e1320 = phi_1899_;
+                                                        if (abs(_e1167) < _e1300) {
+                                                            phi_1906_ = _e1300;
                                                         } else {
-                                                            phi_1883_ = abs(_e1100);
+                                                            phi_1906_ = abs(_e1167);
                                                         }
-                                                        let _e1260 = phi_1883_;
-                                                        if (_e1100 < 0f) {
-                                                            phi_1890_ = (-1f / _e1260);
+                                                        let _e1325 = phi_1906_;
+                                                        if (_e1167 < 0f) {
+                                                            phi_1913_ = (-1f / _e1325);
                                                         } else {
-                                                            phi_1890_ = (1f / _e1260);
+                                                            phi_1913_ = (1f / _e1325);
                                                         }
-                                                        let _e1265 = phi_1890_;
-                                                        let _e1269 = abs((bitcast<f32>(_e1175) - _e1030));
-                                                        let _e1270 = abs((bitcast<f32>(_e1179) - _e1043));
-                                                        let _e1271 = abs((bitcast<f32>(_e1183) - _e1056));
-                                                        let _e1275 = abs(((bitcast<f32>(_e1187) + (bitcast<f32>((((_e1199 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1030));
-                                                        let _e1276 = abs(((bitcast<f32>(_e1191) + (bitcast<f32>((((_e1199 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1043));
-                                                        let _e1277 = abs(((bitcast<f32>(_e1195) + (bitcast<f32>((((_e1199 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1056));
-                                                        if (_e1269 > _e1275) {
-                                                            phi_1907_ = _e1269;
+                                                        let _e1330 = phi_1913_;
+                                                        let _e1334 = abs((bitcast<f32>(_e1240) - _e1101));
+                                                        let _e1335 = abs((bitcast<f32>(_e1244) - _e1114));
+                                                        let _e1336 = abs((bitcast<f32>(_e1248) - _e1127));
+                                                        let _e1340 = abs(((bitcast<f32>(_e1252) + (bitcast<f32>((((_e1264 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1101));
+                                                        let _e1341 = abs(((bitcast<f32>(_e1256) + (bitcast<f32>((((_e1264 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1114));
+                                                        let _e1342 = abs(((bitcast<f32>(_e1260) + (bitcast<f32>((((_e1264 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1127));
+                                                        if (_e1334 > _e1340) {
+                                                            phi_1930_ = _e1334;
                                                         } else {
-                                                            phi_1907_ = _e1275;
+                                                            phi_1930_ = _e1340;
                                                         }
-                                                        let _e1280 = phi_1907_;
-                                                        if (_e1270 > _e1276) {
-                                                            phi_1912_ = _e1270;
+                                                        let _e1345 = phi_1930_;
+                                                        if (_e1335 > _e1341) {
+                                                            phi_1935_ = _e1335;
                                                         } else {
-                                                            phi_1912_ = _e1276;
+                                                            phi_1935_ = _e1341;
                                                         }
-                                                        let _e1283 = phi_1912_;
-                                                        if (_e1271 > _e1277) {
-                                                            phi_1917_ = _e1271;
+                                                        let _e1348 = phi_1935_;
+                                                        if (_e1336 > _e1342) {
+                                                            phi_1940_ = _e1336;
                                                         } else {
-                                                            phi_1917_ = _e1277;
+                                                            phi_1940_ = _e1342;
                                                         }
-                                                        let _e1286 = phi_1917_;
-                                                        let _e1287 = core_intrinsics_maximum_number_nsz_f32_(_e1280, _e1283);
-                                                        let _e1288 = core_intrinsics_maximum_number_nsz_f32_(_e1287, _e1286);
-                                                        let _e1292 = (_e1288 * 0.0000019073486f);
-                                                        let _e1293 = (abs(_e1245) * _e1292);
-                                                        let _e1294 = (abs(_e1255) * _e1292);
-                                                        let _e1295 = (abs(_e1265) * _e1292);
-                                                        let _e1299 = (_e1288 * 0.0000009536743f);
-                                                        let _e1300 = (abs(_e1245) * _e1299);
-                                                        let _e1301 = (abs(_e1255) * _e1299);
-                                                        let _e1302 = (abs(_e1265) * _e1299);
-                                                        let _e1303 = abs(_e1074);
-                                                        let _e1304 = abs(_e1087);
-                                                        let _e1305 = abs(_e1100);
-                                                        if (_e1303 >= _e1304) {
-                                                            if (_e1303 >= _e1305) {
-                                                                phi_1945_ = false;
+                                                        let _e1351 = phi_1940_;
+                                                        let _e1352 = core_intrinsics_maximum_number_nsz_f32_(_e1345, _e1348);
+                                                        let _e1353 = core_intrinsics_maximum_number_nsz_f32_(_e1352, _e1351);
+                                                        let _e1357 = (_e1353 * 0.0000019073486f);
+                                                        let _e1358 = (abs(_e1310) * _e1357);
+                                                        let _e1359 = (abs(_e1320) * _e1357);
+                                                        let _e1360 = (abs(_e1330) * _e1357);
+                                                        let _e1364 = (_e1353 * 0.0000009536743f);
+                                                        let _e1365 = (abs(_e1310) * _e1364);
+                                                        let _e1366 = (abs(_e1320) * _e1364);
+                                                        let _e1367 = (abs(_e1330) * _e1364);
+                                                        let _e1368 = abs(_e1141);
+                                                        let _e1369 = abs(_e1154);
+                                                        let _e1370 = abs(_e1167);
+                                                        if (_e1368 >= _e1369) {
+                                                            if (_e1368 >= _e1370) {
+                                                                phi_1968_ = false;
                                                             } else {
-                                                                phi_1945_ = true;
+                                                                phi_1968_ = true;
                                                             }
-                                                            let _e1309 = phi_1945_;
-                                                            phi_1946_ = _e1309;
+                                                            let _e1374 = phi_1968_;
+                                                            phi_1969_ = _e1374;
                                                         } else {
-                                                            phi_1946_ = true;
+                                                            phi_1969_ = true;
                                                         }
-                                                        let _e1311 = phi_1946_;
-                                                        if _e1311 {
-                                                            if (_e1304 >= _e1305) {
-                                                                phi_1954_ = 1u;
+                                                        let _e1376 = phi_1969_;
+                                                        if _e1376 {
+                                                            if (_e1369 >= _e1370) {
+                                                                phi_1977_ = 1u;
                                                             } else {
-                                                                phi_1954_ = 2u;
+                                                                phi_1977_ = 2u;
                                                             }
-                                                            let _e1314 = phi_1954_;
-                                                            phi_1955_ = _e1314;
+                                                            let _e1379 = phi_1977_;
+                                                            phi_1978_ = _e1379;
                                                         } else {
-                                                            phi_1955_ = 0u;
+                                                            phi_1978_ = 0u;
                                                         }
-                                                        let _e1316 = phi_1955_;
-                                                        if (_e1316 == 0u) {
-                                                            phi_1967_ = vec3<f32>(_e1087, _e1100, _e1074);
+                                                        let _e1381 = phi_1978_;
+                                                        if (_e1381 == 0u) {
+                                                            phi_1990_ = vec3<f32>(_e1154, _e1167, _e1141);
                                                         } else {
-                                                            if (_e1316 == 1u) {
-                                                                phi_1966_ = vec3<f32>(_e1100, _e1074, _e1087);
+                                                            if (_e1381 == 1u) {
+                                                                phi_1989_ = vec3<f32>(_e1167, _e1141, _e1154);
                                                             } else {
-                                                                phi_1966_ = vec3<f32>(_e1074, _e1087, _e1100);
+                                                                phi_1989_ = vec3<f32>(_e1141, _e1154, _e1167);
                                                             }
-                                                            let _e1322 = phi_1966_;
-                                                            phi_1967_ = _e1322;
+                                                            let _e1387 = phi_1989_;
+                                                            phi_1990_ = _e1387;
                                                         }
-                                                        let _e1324 = phi_1967_;
-                                                        let _e1327 = (_e1324.x / _e1324.z);
-                                                        let _e1330 = (_e1324.y / _e1324.z);
-                                                        let _e1332 = (1f / _e1324.z);
-                                                        if (_e1245 < 0f) {
-                                                            phi_1980_ = 0u;
+                                                        let _e1389 = phi_1990_;
+                                                        let _e1392 = (_e1389.x / _e1389.z);
+                                                        let _e1395 = (_e1389.y / _e1389.z);
+                                                        let _e1397 = (1f / _e1389.z);
+                                                        if (_e1310 < 0f) {
+                                                            phi_2003_ = 0u;
                                                         } else {
-                                                            phi_1980_ = 1u;
+                                                            phi_2003_ = 1u;
                                                         }
-                                                        let _e1335 = phi_1980_;
-                                                        if (_e1255 < 0f) {
-                                                            phi_1985_ = 0u;
+                                                        let _e1400 = phi_2003_;
+                                                        if (_e1320 < 0f) {
+                                                            phi_2008_ = 0u;
                                                         } else {
-                                                            phi_1985_ = 2u;
+                                                            phi_2008_ = 2u;
                                                         }
-                                                        let _e1338 = phi_1985_;
-                                                        if (_e1265 < 0f) {
-                                                            phi_1990_ = 0u;
+                                                        let _e1403 = phi_2008_;
+                                                        if (_e1330 < 0f) {
+                                                            phi_2013_ = 0u;
                                                         } else {
-                                                            phi_1990_ = 4u;
+                                                            phi_2013_ = 4u;
                                                         }
-                                                        let _e1341 = phi_1990_;
-                                                        let _e1343 = ((_e1335 | _e1338) | _e1341);
-                                                        let _e1344 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1105, 2147483648u);
-                                                        local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1344.first[0], _e1344.first[1], _e1344.first[2], _e1344.first[3], _e1344.first[4], _e1344.first[5], _e1344.first[6], _e1344.first[7], _e1344.first[8], _e1344.first[9], _e1344.first[10], _e1344.first[11], _e1344.first[12], _e1344.first[13], _e1344.first[14], _e1344.first[15], _e1344.first[16], _e1344.first[17], _e1344.first[18], _e1344.first[19], _e1344.first[20], _e1344.first[21], _e1344.first[22], _e1344.first[23], _e1344.first[24], _e1344.first[25], _e1344.first[26], _e1344.first[27], _e1344.first[28], _e1344.first[29], _e1344.first[30], _e1344.first[31]), array<u32, 32>(_e1344.mask[0], _e1344.mask[1], _e1344.mask[2], _e1344.mask[3], _e1344.mask[4], _e1344.mask[5], _e1344.mask[6], _e1344.mask[7], _e1344.mask[8], _e1344.mask[9], _e1344.mask[10], _e1344.mask[11], _e1344.mask[12], _e1344.mask[13], _e1344.mask[14], _e1344.mask[15], _e1344.mask[16], _e1344.mask[17], _e1344.mask[18], _e1344.mask[19], _e1344.mask[20], _e1344.mask[21], _e1344.mask[22], _e1344.mask[23], _e1344.mask[24], _e1344.mask[25], _e1344.mask[26], _e1344.mask[27], _e1344.mask[28], _e1344.mask[29], _e1344.mask[30], _e1344.mask[31]), _e1344.len, _e1344.group, _e1344.group_mask);
-                                                        let _e1418 = local_2.group_mask;
-                                                        if ((_e1418 & 4278190080u) == 0u) {
-                                                            let _e1422 = local_2.len;
-                                                            if (_e1422 == 0u) {
-                                                                phi_2104_ = false;
+                                                        let _e1406 = phi_2013_;
+                                                        let _e1408 = ((_e1400 | _e1403) | _e1406);
+                                                        let _e1409 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1170, 2147483648u);
+                                                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1409.first[0], _e1409.first[1], _e1409.first[2], _e1409.first[3], _e1409.first[4], _e1409.first[5], _e1409.first[6], _e1409.first[7], _e1409.first[8], _e1409.first[9], _e1409.first[10], _e1409.first[11], _e1409.first[12], _e1409.first[13], _e1409.first[14], _e1409.first[15], _e1409.first[16], _e1409.first[17], _e1409.first[18], _e1409.first[19], _e1409.first[20], _e1409.first[21], _e1409.first[22], _e1409.first[23], _e1409.first[24], _e1409.first[25], _e1409.first[26], _e1409.first[27], _e1409.first[28], _e1409.first[29], _e1409.first[30], _e1409.first[31]), array<u32, 32>(_e1409.mask[0], _e1409.mask[1], _e1409.mask[2], _e1409.mask[3], _e1409.mask[4], _e1409.mask[5], _e1409.mask[6], _e1409.mask[7], _e1409.mask[8], _e1409.mask[9], _e1409.mask[10], _e1409.mask[11], _e1409.mask[12], _e1409.mask[13], _e1409.mask[14], _e1409.mask[15], _e1409.mask[16], _e1409.mask[17], _e1409.mask[18], _e1409.mask[19], _e1409.mask[20], _e1409.mask[21], _e1409.mask[22], _e1409.mask[23], _e1409.mask[24], _e1409.mask[25], _e1409.mask[26], _e1409.mask[27], _e1409.mask[28], _e1409.mask[29], _e1409.mask[30], _e1409.mask[31]), _e1409.len, _e1409.group, _e1409.group_mask);
+                                                        let _e1483 = local_1.group_mask;
+                                                        if ((_e1483 & 4278190080u) == 0u) {
+                                                            let _e1487 = local_1.len;
+                                                            if (_e1487 == 0u) {
+                                                                phi_2127_ = false;
                                                             } else {
-                                                                let _e1426 = local_2.len;
-                                                                local_2.len = (_e1426 - 1u);
-                                                                let _e1429 = local_2.len;
-                                                                if (_e1429 < 32u) {
+                                                                let _e1491 = local_1.len;
+                                                                local_1.len = (_e1491 - 1u);
+                                                                let _e1494 = local_1.len;
+                                                                if (_e1494 < 32u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1434 = local_2.first[(0u + _e1429)];
-                                                                local_2.group = _e1434;
-                                                                let _e1437 = local_2.len;
-                                                                if (_e1437 < 32u) {
+                                                                let _e1499 = local_1.first[(0u + _e1494)];
+                                                                local_1.group = _e1499;
+                                                                let _e1502 = local_1.len;
+                                                                if (_e1502 < 32u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1442 = local_2.mask[(0u + _e1437)];
-                                                                local_2.group_mask = _e1442;
-                                                                phi_2104_ = true;
+                                                                let _e1507 = local_1.mask[(0u + _e1502)];
+                                                                local_1.group_mask = _e1507;
+                                                                phi_2127_ = true;
                                                             }
-                                                            let _e1445 = phi_2104_;
-                                                            phi_2105_ = _e1445;
+                                                            let _e1510 = phi_2127_;
+                                                            phi_2128_ = _e1510;
                                                         } else {
-                                                            phi_2105_ = true;
+                                                            phi_2128_ = true;
                                                         }
-                                                        let _e1447 = phi_2105_;
-                                                        if _e1447 {
-                                                            let _e1449 = local_2.group_mask;
-                                                            let _e1455 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1449)), 32u, (_e1449 == 0u)));
-                                                            let _e1459 = local_2.group_mask;
-                                                            let _e1473 = local_2.group_mask;
-                                                            local_2.group_mask = (_e1473 & ~((1u << bitcast<u32>((_e1455 & 31u)))));
-                                                            let _e1476 = local_2.group;
-                                                            phi_2136_ = (_e1476 + countOneBits(((_e1459 & ~((4294967295u << bitcast<u32>((((_e1455 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                        let _e1512 = phi_2128_;
+                                                        if _e1512 {
+                                                            let _e1514 = local_1.group_mask;
+                                                            let _e1520 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1514)), 32u, (_e1514 == 0u)));
+                                                            let _e1524 = local_1.group_mask;
+                                                            let _e1538 = local_1.group_mask;
+                                                            local_1.group_mask = (_e1538 & ~((1u << bitcast<u32>((_e1520 & 31u)))));
+                                                            let _e1541 = local_1.group;
+                                                            phi_2159_ = (_e1541 + countOneBits(((_e1524 & ~((4294967295u << bitcast<u32>((((_e1520 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                         } else {
-                                                            phi_2136_ = 4294967295u;
+                                                            phi_2159_ = 4294967295u;
                                                         }
-                                                        let _e1479 = phi_2136_;
-                                                        phi_2138_ = _e1479;
+                                                        let _e1544 = phi_2159_;
+                                                        phi_2161_ = _e1544;
                                                         loop {
-                                                            let _e1481 = phi_2138_;
-                                                            if (_e1481 != 4294967295u) {
-                                                                if (_e1481 < _e76) {
+                                                            let _e1546 = phi_2161_;
+                                                            if (_e1546 != 4294967295u) {
+                                                                if (_e1546 < _e79) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1488 = nodes.member[(0u + _e1481)].frame[3u];
-                                                                let _e1513 = (bitcast<f32>((((_e1488 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1245);
-                                                                let _e1514 = (bitcast<f32>((((_e1488 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1255);
-                                                                let _e1515 = (bitcast<f32>((((_e1488 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1265);
-                                                                let _e1518 = nodes.member[(0u + _e1481)].frame[0u];
-                                                                let _e1522 = nodes.member[(0u + _e1481)].frame[1u];
-                                                                let _e1526 = nodes.member[(0u + _e1481)].frame[2u];
-                                                                let _e1531 = ((bitcast<f32>(_e1518) - _e1030) * _e1245);
-                                                                let _e1532 = ((bitcast<f32>(_e1522) - _e1043) * _e1255);
-                                                                let _e1533 = ((bitcast<f32>(_e1526) - _e1056) * _e1265);
-                                                                let _e1541 = nodes.member[(0u + _e1481)].x;
-                                                                if (_e1245 < 0f) {
-                                                                    let _e1552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1541.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1558 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1552.unnamed.root, _e1541.w), _e1552.unnamed_1);
-                                                                    let _e1564 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1558.unnamed, lt_bvh_traverse_Tree(_e1541.x, _e1558.unnamed_1.first_primitive));
-                                                                    phi_2219_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1564.unnamed, lt_bvh_traverse_Tree(_e1564.unnamed_1.root, _e1541.y));
+                                                                let _e1553 = nodes.member[(0u + _e1546)].frame[3u];
+                                                                let _e1578 = (bitcast<f32>((((_e1553 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1310);
+                                                                let _e1579 = (bitcast<f32>((((_e1553 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1320);
+                                                                let _e1580 = (bitcast<f32>((((_e1553 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1330);
+                                                                let _e1583 = nodes.member[(0u + _e1546)].frame[0u];
+                                                                let _e1587 = nodes.member[(0u + _e1546)].frame[1u];
+                                                                let _e1591 = nodes.member[(0u + _e1546)].frame[2u];
+                                                                let _e1596 = ((bitcast<f32>(_e1583) - _e1101) * _e1310);
+                                                                let _e1597 = ((bitcast<f32>(_e1587) - _e1114) * _e1320);
+                                                                let _e1598 = ((bitcast<f32>(_e1591) - _e1127) * _e1330);
+                                                                let _e1606 = nodes.member[(0u + _e1546)].x;
+                                                                if (_e1310 < 0f) {
+                                                                    let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1606.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1617.unnamed.root, _e1606.w), _e1617.unnamed_1);
+                                                                    let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1623.unnamed, lt_bvh_traverse_Tree(_e1606.x, _e1623.unnamed_1.first_primitive));
+                                                                    phi_2242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1629.unnamed, lt_bvh_traverse_Tree(_e1629.unnamed_1.root, _e1606.y));
                                                                 } else {
-                                                                    let _e1580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1541.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1580.unnamed.root, _e1541.y), _e1580.unnamed_1);
-                                                                    let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1586.unnamed, lt_bvh_traverse_Tree(_e1541.z, _e1586.unnamed_1.first_primitive));
-                                                                    phi_2219_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1592.unnamed, lt_bvh_traverse_Tree(_e1592.unnamed_1.root, _e1541.w));
+                                                                    let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1606.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1645.unnamed.root, _e1606.y), _e1645.unnamed_1);
+                                                                    let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_bvh_traverse_Tree(_e1606.z, _e1651.unnamed_1.first_primitive));
+                                                                    phi_2242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1657.unnamed, lt_bvh_traverse_Tree(_e1657.unnamed_1.root, _e1606.w));
                                                                 }
-                                                                let _e1600 = phi_2219_;
-                                                                let _e1610 = nodes.member[(0u + _e1481)].y;
-                                                                if (_e1255 < 0f) {
-                                                                    let _e1621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1610.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1621.unnamed.root, _e1610.w), _e1621.unnamed_1);
-                                                                    let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1627.unnamed, lt_bvh_traverse_Tree(_e1610.x, _e1627.unnamed_1.first_primitive));
-                                                                    phi_2246_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1633.unnamed, lt_bvh_traverse_Tree(_e1633.unnamed_1.root, _e1610.y));
+                                                                let _e1665 = phi_2242_;
+                                                                let _e1675 = nodes.member[(0u + _e1546)].y;
+                                                                if (_e1320 < 0f) {
+                                                                    let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1675.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1686.unnamed.root, _e1675.w), _e1686.unnamed_1);
+                                                                    let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1692.unnamed, lt_bvh_traverse_Tree(_e1675.x, _e1692.unnamed_1.first_primitive));
+                                                                    phi_2269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1698.unnamed, lt_bvh_traverse_Tree(_e1698.unnamed_1.root, _e1675.y));
                                                                 } else {
-                                                                    let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1610.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1649.unnamed.root, _e1610.y), _e1649.unnamed_1);
-                                                                    let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_bvh_traverse_Tree(_e1610.z, _e1655.unnamed_1.first_primitive));
-                                                                    phi_2246_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1661.unnamed, lt_bvh_traverse_Tree(_e1661.unnamed_1.root, _e1610.w));
+                                                                    let _e1714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1675.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1714.unnamed.root, _e1675.y), _e1714.unnamed_1);
+                                                                    let _e1726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1720.unnamed, lt_bvh_traverse_Tree(_e1675.z, _e1720.unnamed_1.first_primitive));
+                                                                    phi_2269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1726.unnamed, lt_bvh_traverse_Tree(_e1726.unnamed_1.root, _e1675.w));
                                                                 }
-                                                                let _e1669 = phi_2246_;
-                                                                let _e1679 = nodes.member[(0u + _e1481)].z;
-                                                                if (_e1265 < 0f) {
-                                                                    let _e1690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1679.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1690.unnamed.root, _e1679.w), _e1690.unnamed_1);
-                                                                    let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1696.unnamed, lt_bvh_traverse_Tree(_e1679.x, _e1696.unnamed_1.first_primitive));
-                                                                    phi_2273_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1702.unnamed, lt_bvh_traverse_Tree(_e1702.unnamed_1.root, _e1679.y));
+                                                                let _e1734 = phi_2269_;
+                                                                let _e1744 = nodes.member[(0u + _e1546)].z;
+                                                                if (_e1330 < 0f) {
+                                                                    let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1744.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1755.unnamed.root, _e1744.w), _e1755.unnamed_1);
+                                                                    let _e1767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1761.unnamed, lt_bvh_traverse_Tree(_e1744.x, _e1761.unnamed_1.first_primitive));
+                                                                    phi_2296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1767.unnamed, lt_bvh_traverse_Tree(_e1767.unnamed_1.root, _e1744.y));
                                                                 } else {
-                                                                    let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1679.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1718.unnamed.root, _e1679.y), _e1718.unnamed_1);
-                                                                    let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_bvh_traverse_Tree(_e1679.z, _e1724.unnamed_1.first_primitive));
-                                                                    phi_2273_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1730.unnamed, lt_bvh_traverse_Tree(_e1730.unnamed_1.root, _e1679.w));
+                                                                    let _e1783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1744.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1783.unnamed.root, _e1744.y), _e1783.unnamed_1);
+                                                                    let _e1795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1789.unnamed, lt_bvh_traverse_Tree(_e1744.z, _e1789.unnamed_1.first_primitive));
+                                                                    phi_2296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1795.unnamed, lt_bvh_traverse_Tree(_e1795.unnamed_1.root, _e1744.w));
                                                                 }
-                                                                let _e1738 = phi_2273_;
-                                                                phi_2279_ = 0u;
-                                                                phi_2282_ = 0u;
+                                                                let _e1803 = phi_2296_;
+                                                                phi_2302_ = 0u;
+                                                                phi_2305_ = 0u;
                                                                 loop {
-                                                                    let _e1748 = phi_2279_;
-                                                                    let _e1750 = phi_2282_;
-                                                                    local_8 = _e1750;
-                                                                    local_9 = _e1750;
-                                                                    local_10 = _e1750;
-                                                                    let _e1751 = (_e1748 < 8u);
-                                                                    if _e1751 {
-                                                                        let _e1753 = (_e1748 >> bitcast<u32>(2i));
-                                                                        let _e1754 = (_e1748 & 3u);
-                                                                        if (_e1753 == 0u) {
-                                                                            phi_2296_ = _e1600.unnamed.root;
+                                                                    let _e1813 = phi_2302_;
+                                                                    let _e1815 = phi_2305_;
+                                                                    local_7 = _e1815;
+                                                                    local_8 = _e1815;
+                                                                    local_9 = _e1815;
+                                                                    let _e1816 = (_e1813 < 8u);
+                                                                    if _e1816 {
+                                                                        let _e1818 = (_e1813 >> bitcast<u32>(2i));
+                                                                        let _e1819 = (_e1813 & 3u);
+                                                                        if (_e1818 == 0u) {
+                                                                            phi_2319_ = _e1665.unnamed.root;
                                                                         } else {
-                                                                            phi_2296_ = _e1600.unnamed.first_primitive;
+                                                                            phi_2319_ = _e1665.unnamed.first_primitive;
                                                                         }
-                                                                        let _e1757 = phi_2296_;
-                                                                        if (_e1753 == 0u) {
-                                                                            phi_2306_ = _e1669.unnamed.root;
+                                                                        let _e1822 = phi_2319_;
+                                                                        if (_e1818 == 0u) {
+                                                                            phi_2329_ = _e1734.unnamed.root;
                                                                         } else {
-                                                                            phi_2306_ = _e1669.unnamed.first_primitive;
+                                                                            phi_2329_ = _e1734.unnamed.first_primitive;
                                                                         }
-                                                                        let _e1766 = phi_2306_;
-                                                                        if (_e1753 == 0u) {
-                                                                            phi_2316_ = _e1738.unnamed.root;
+                                                                        let _e1831 = phi_2329_;
+                                                                        if (_e1818 == 0u) {
+                                                                            phi_2339_ = _e1803.unnamed.root;
                                                                         } else {
-                                                                            phi_2316_ = _e1738.unnamed.first_primitive;
+                                                                            phi_2339_ = _e1803.unnamed.first_primitive;
                                                                         }
-                                                                        let _e1775 = phi_2316_;
-                                                                        let _e1788 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1757 >> bitcast<u32>(((_e1754 * 8u) & 31u))) & 255u)) * _e1513) + (_e1531 - _e1293)), ((f32(((_e1766 >> bitcast<u32>(((_e1754 * 8u) & 31u))) & 255u)) * _e1514) + (_e1532 - _e1294)));
-                                                                        let _e1789 = core_intrinsics_maximum_number_nsz_f32_(_e1788, ((f32(((_e1775 >> bitcast<u32>(((_e1754 * 8u) & 31u))) & 255u)) * _e1515) + (_e1533 - _e1295)));
-                                                                        if (_e1753 == 0u) {
-                                                                            phi_2334_ = _e1600.unnamed_1.root;
+                                                                        let _e1840 = phi_2339_;
+                                                                        let _e1853 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1822 >> bitcast<u32>(((_e1819 * 8u) & 31u))) & 255u)) * _e1578) + (_e1596 - _e1358)), ((f32(((_e1831 >> bitcast<u32>(((_e1819 * 8u) & 31u))) & 255u)) * _e1579) + (_e1597 - _e1359)));
+                                                                        let _e1854 = core_intrinsics_maximum_number_nsz_f32_(_e1853, ((f32(((_e1840 >> bitcast<u32>(((_e1819 * 8u) & 31u))) & 255u)) * _e1580) + (_e1598 - _e1360)));
+                                                                        if (_e1818 == 0u) {
+                                                                            phi_2357_ = _e1665.unnamed_1.root;
                                                                         } else {
-                                                                            phi_2334_ = _e1600.unnamed_1.first_primitive;
+                                                                            phi_2357_ = _e1665.unnamed_1.first_primitive;
                                                                         }
-                                                                        let _e1792 = phi_2334_;
-                                                                        if (_e1753 == 0u) {
-                                                                            phi_2344_ = _e1669.unnamed_1.root;
+                                                                        let _e1857 = phi_2357_;
+                                                                        if (_e1818 == 0u) {
+                                                                            phi_2367_ = _e1734.unnamed_1.root;
                                                                         } else {
-                                                                            phi_2344_ = _e1669.unnamed_1.first_primitive;
+                                                                            phi_2367_ = _e1734.unnamed_1.first_primitive;
                                                                         }
-                                                                        let _e1801 = phi_2344_;
-                                                                        if (_e1753 == 0u) {
-                                                                            phi_2354_ = _e1738.unnamed_1.root;
+                                                                        let _e1866 = phi_2367_;
+                                                                        if (_e1818 == 0u) {
+                                                                            phi_2377_ = _e1803.unnamed_1.root;
                                                                         } else {
-                                                                            phi_2354_ = _e1738.unnamed_1.first_primitive;
+                                                                            phi_2377_ = _e1803.unnamed_1.first_primitive;
                                                                         }
-                                                                        let _e1810 = phi_2354_;
-                                                                        let _e1823 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1792 >> bitcast<u32>(((_e1754 * 8u) & 31u))) & 255u)) * _e1513) + (_e1531 + _e1293)), ((f32(((_e1801 >> bitcast<u32>(((_e1754 * 8u) & 31u))) & 255u)) * _e1514) + (_e1532 + _e1294)));
-                                                                        let _e1824 = core_intrinsics_minimum_number_nsz_f32_(_e1823, ((f32(((_e1810 >> bitcast<u32>(((_e1754 * 8u) & 31u))) & 255u)) * _e1515) + (_e1533 + _e1295)));
-                                                                        if (_e1789 <= _e1824) {
-                                                                            if (_e1789 <= _e126.tmax) {
-                                                                                if (_e1824 >= _e126.tmin) {
-                                                                                    if (_e1753 == 0u) {
-                                                                                        let _e1831 = nodes.member[(0u + _e1481)].links[2u];
-                                                                                        phi_2390_ = _e1831;
+                                                                        let _e1875 = phi_2377_;
+                                                                        let _e1888 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1857 >> bitcast<u32>(((_e1819 * 8u) & 31u))) & 255u)) * _e1578) + (_e1596 + _e1358)), ((f32(((_e1866 >> bitcast<u32>(((_e1819 * 8u) & 31u))) & 255u)) * _e1579) + (_e1597 + _e1359)));
+                                                                        let _e1889 = core_intrinsics_minimum_number_nsz_f32_(_e1888, ((f32(((_e1875 >> bitcast<u32>(((_e1819 * 8u) & 31u))) & 255u)) * _e1580) + (_e1598 + _e1360)));
+                                                                        if (_e1854 <= _e1889) {
+                                                                            if (_e1854 <= _e231) {
+                                                                                if (_e1889 >= 0f) {
+                                                                                    if (_e1818 == 0u) {
+                                                                                        let _e1896 = nodes.member[(0u + _e1546)].links[2u];
+                                                                                        phi_2413_ = _e1896;
                                                                                     } else {
-                                                                                        let _e1834 = nodes.member[(0u + _e1481)].links[3u];
-                                                                                        phi_2390_ = _e1834;
+                                                                                        let _e1899 = nodes.member[(0u + _e1546)].links[3u];
+                                                                                        phi_2413_ = _e1899;
                                                                                     }
-                                                                                    let _e1836 = phi_2390_;
-                                                                                    let _e1841 = ((_e1836 >> bitcast<u32>(((_e1754 * 8u) & 31u))) & 255u);
-                                                                                    let _e1842 = (_e1841 & 31u);
-                                                                                    if (_e1842 >= 24u) {
-                                                                                        phi_2403_ = (24u + ((_e1842 - 24u) ^ _e1343));
+                                                                                    let _e1901 = phi_2413_;
+                                                                                    let _e1906 = ((_e1901 >> bitcast<u32>(((_e1819 * 8u) & 31u))) & 255u);
+                                                                                    let _e1907 = (_e1906 & 31u);
+                                                                                    if (_e1907 >= 24u) {
+                                                                                        phi_2426_ = (24u + ((_e1907 - 24u) ^ _e1408));
                                                                                     } else {
-                                                                                        phi_2403_ = _e1842;
+                                                                                        phi_2426_ = _e1907;
                                                                                     }
-                                                                                    let _e1848 = phi_2403_;
-                                                                                    phi_2408_ = (_e1750 | ((_e1841 >> bitcast<u32>(5i)) << bitcast<u32>((_e1848 & 31u))));
+                                                                                    let _e1913 = phi_2426_;
+                                                                                    phi_2431_ = (_e1815 | ((_e1906 >> bitcast<u32>(5i)) << bitcast<u32>((_e1913 & 31u))));
                                                                                 } else {
-                                                                                    phi_2408_ = _e1750;
+                                                                                    phi_2431_ = _e1815;
                                                                                 }
-                                                                                let _e1856 = phi_2408_;
-                                                                                phi_2409_ = _e1856;
+                                                                                let _e1921 = phi_2431_;
+                                                                                phi_2432_ = _e1921;
                                                                             } else {
-                                                                                phi_2409_ = _e1750;
+                                                                                phi_2432_ = _e1815;
                                                                             }
-                                                                            let _e1858 = phi_2409_;
-                                                                            phi_2410_ = _e1858;
+                                                                            let _e1923 = phi_2432_;
+                                                                            phi_2433_ = _e1923;
                                                                         } else {
-                                                                            phi_2410_ = _e1750;
+                                                                            phi_2433_ = _e1815;
                                                                         }
-                                                                        let _e1860 = phi_2410_;
-                                                                        phi_2280_ = (_e1748 + 1u);
-                                                                        phi_2283_ = _e1860;
+                                                                        let _e1925 = phi_2433_;
+                                                                        phi_2303_ = (_e1813 + 1u);
+                                                                        phi_2306_ = _e1925;
                                                                     } else {
-                                                                        phi_2280_ = u32();
-                                                                        phi_2283_ = u32();
+                                                                        phi_2303_ = u32();
+                                                                        phi_2306_ = u32();
                                                                     }
-                                                                    let _e1863 = phi_2280_;
-                                                                    let _e1865 = phi_2283_;
+                                                                    let _e1928 = phi_2303_;
+                                                                    let _e1930 = phi_2306_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2279_ = _e1863;
-                                                                        phi_2282_ = _e1865;
-                                                                        break if !(_e1751);
+                                                                        phi_2302_ = _e1928;
+                                                                        phi_2305_ = _e1930;
+                                                                        break if !(_e1816);
                                                                     }
                                                                 }
-                                                                let _e1869 = nodes.member[(0u + _e1481)].links[0u];
-                                                                let _e1873 = nodes.member[(0u + _e1481)].frame[3u];
-                                                                let _e1877 = local_8;
-                                                                if ((_e1877 & 4278190080u) == 0u) {
+                                                                let _e1934 = nodes.member[(0u + _e1546)].links[0u];
+                                                                let _e1938 = nodes.member[(0u + _e1546)].frame[3u];
+                                                                let _e1942 = local_7;
+                                                                if ((_e1942 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1881 = local_2.group_mask;
-                                                                    if ((_e1881 & 4278190080u) == 0u) {
+                                                                    let _e1946 = local_1.group_mask;
+                                                                    if ((_e1946 & 4278190080u) == 0u) {
                                                                     } else {
-                                                                        let _e1885 = local_2.len;
-                                                                        if (_e1885 < 32u) {
-                                                                            let _e1888 = local_2.group;
-                                                                            let _e1890 = local_2.len;
-                                                                            if (_e1890 < 32u) {
+                                                                        let _e1950 = local_1.len;
+                                                                        if (_e1950 < 32u) {
+                                                                            let _e1953 = local_1.group;
+                                                                            let _e1955 = local_1.len;
+                                                                            if (_e1955 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            local_2.first[(0u + _e1890)] = _e1888;
-                                                                            let _e1896 = local_2.group_mask;
-                                                                            let _e1898 = local_2.len;
-                                                                            if (_e1898 < 32u) {
+                                                                            local_1.first[(0u + _e1955)] = _e1953;
+                                                                            let _e1961 = local_1.group_mask;
+                                                                            let _e1963 = local_1.len;
+                                                                            if (_e1963 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            local_2.mask[(0u + _e1898)] = _e1896;
-                                                                            let _e1905 = local_2.len;
-                                                                            local_2.len = (_e1905 + 1u);
+                                                                            local_1.mask[(0u + _e1963)] = _e1961;
+                                                                            let _e1970 = local_1.len;
+                                                                            local_1.len = (_e1970 + 1u);
                                                                         }
                                                                     }
-                                                                    local_2.group = (_e1105 + _e1869);
-                                                                    let _e1909 = local_9;
-                                                                    local_2.group_mask = ((_e1909 & 4278190080u) | (_e1873 >> bitcast<u32>(24i)));
+                                                                    local_1.group = (_e1170 + _e1934);
+                                                                    let _e1974 = local_8;
+                                                                    local_1.group_mask = ((_e1974 & 4278190080u) | (_e1938 >> bitcast<u32>(24i)));
                                                                 }
-                                                                let _e1914 = local_10;
-                                                                phi_2468_ = (_e1914 & 16777215u);
+                                                                let _e1979 = local_9;
+                                                                phi_2491_ = (_e1979 & 16777215u);
                                                                 loop {
-                                                                    let _e1917 = phi_2468_;
-                                                                    let _e1918 = (_e1917 == 0u);
-                                                                    local_11 = _e1918;
-                                                                    local_17 = _e1918;
-                                                                    if _e1918 {
-                                                                        phi_2469_ = u32();
-                                                                        phi_3153_ = false;
-                                                                        phi_3154_ = false;
-                                                                        phi_3155_ = false;
+                                                                    let _e1982 = phi_2491_;
+                                                                    let _e1983 = (_e1982 == 0u);
+                                                                    local_10 = _e1983;
+                                                                    local_16 = _e1983;
+                                                                    if _e1983 {
+                                                                        phi_2492_ = u32();
+                                                                        phi_3206_ = false;
+                                                                        phi_3207_ = false;
+                                                                        phi_3208_ = false;
                                                                     } else {
-                                                                        let _e1921 = nodes.member[(0u + _e1481)].links[1u];
-                                                                        let _e1926 = ((_e1107 + _e1921) + select(firstTrailingBit(_e1917), 32u, (_e1917 == 0u)));
-                                                                        if (_e1926 < _e79) {
+                                                                        let _e1986 = nodes.member[(0u + _e1546)].links[1u];
+                                                                        let _e1991 = ((_e1172 + _e1986) + select(firstTrailingBit(_e1982), 32u, (_e1982 == 0u)));
+                                                                        if (_e1991 < _e82) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e1933 = triangles.member[(0u + _e1926)].v0_;
-                                                                        let _e1935 = (_e1933.x - _e1030);
-                                                                        let _e1937 = (_e1933.y - _e1043);
-                                                                        let _e1939 = (_e1933.z - _e1056);
-                                                                        if (_e1316 == 0u) {
-                                                                            phi_2514_ = vec3<f32>(_e1937, _e1939, _e1935);
+                                                                        let _e1998 = triangles.member[(0u + _e1991)].v0_;
+                                                                        let _e2000 = (_e1998.x - _e1101);
+                                                                        let _e2002 = (_e1998.y - _e1114);
+                                                                        let _e2004 = (_e1998.z - _e1127);
+                                                                        if (_e1381 == 0u) {
+                                                                            phi_2537_ = vec3<f32>(_e2002, _e2004, _e2000);
                                                                         } else {
-                                                                            if (_e1316 == 1u) {
-                                                                                phi_2513_ = vec3<f32>(_e1939, _e1935, _e1937);
+                                                                            if (_e1381 == 1u) {
+                                                                                phi_2536_ = vec3<f32>(_e2004, _e2000, _e2002);
                                                                             } else {
-                                                                                phi_2513_ = (_e1933 - vec3<f32>(_e1030, _e1043, _e1056));
+                                                                                phi_2536_ = (_e1998 - vec3<f32>(_e1101, _e1114, _e1127));
                                                                             }
-                                                                            let _e1947 = phi_2513_;
-                                                                            phi_2514_ = _e1947;
+                                                                            let _e2012 = phi_2536_;
+                                                                            phi_2537_ = _e2012;
                                                                         }
-                                                                        let _e1949 = phi_2514_;
-                                                                        let _e1953 = (_e1949.x - (_e1327 * _e1949.z));
-                                                                        let _e1957 = (_e1949.y - (_e1330 * _e1949.z));
-                                                                        let _e1961 = triangles.member[(0u + _e1926)].v1_;
-                                                                        let _e1963 = (_e1961.x - _e1030);
-                                                                        let _e1965 = (_e1961.y - _e1043);
-                                                                        let _e1967 = (_e1961.z - _e1056);
-                                                                        if (_e1316 == 0u) {
-                                                                            phi_2546_ = vec3<f32>(_e1965, _e1967, _e1963);
+                                                                        let _e2014 = phi_2537_;
+                                                                        let _e2018 = (_e2014.x - (_e1392 * _e2014.z));
+                                                                        let _e2022 = (_e2014.y - (_e1395 * _e2014.z));
+                                                                        let _e2026 = triangles.member[(0u + _e1991)].v1_;
+                                                                        let _e2028 = (_e2026.x - _e1101);
+                                                                        let _e2030 = (_e2026.y - _e1114);
+                                                                        let _e2032 = (_e2026.z - _e1127);
+                                                                        if (_e1381 == 0u) {
+                                                                            phi_2569_ = vec3<f32>(_e2030, _e2032, _e2028);
                                                                         } else {
-                                                                            if (_e1316 == 1u) {
-                                                                                phi_2545_ = vec3<f32>(_e1967, _e1963, _e1965);
+                                                                            if (_e1381 == 1u) {
+                                                                                phi_2568_ = vec3<f32>(_e2032, _e2028, _e2030);
                                                                             } else {
-                                                                                phi_2545_ = (_e1961 - vec3<f32>(_e1030, _e1043, _e1056));
+                                                                                phi_2568_ = (_e2026 - vec3<f32>(_e1101, _e1114, _e1127));
                                                                             }
-                                                                            let _e1975 = phi_2545_;
-                                                                            phi_2546_ = _e1975;
+                                                                            let _e2040 = phi_2568_;
+                                                                            phi_2569_ = _e2040;
                                                                         }
-                                                                        let _e1977 = phi_2546_;
-                                                                        let _e1981 = (_e1977.x - (_e1327 * _e1977.z));
-                                                                        let _e1985 = (_e1977.y - (_e1330 * _e1977.z));
-                                                                        let _e1989 = triangles.member[(0u + _e1926)].v2_;
-                                                                        let _e1991 = (_e1989.x - _e1030);
-                                                                        let _e1993 = (_e1989.y - _e1043);
-                                                                        let _e1995 = (_e1989.z - _e1056);
-                                                                        if (_e1316 == 0u) {
-                                                                            phi_2578_ = vec3<f32>(_e1993, _e1995, _e1991);
+                                                                        let _e2042 = phi_2569_;
+                                                                        let _e2046 = (_e2042.x - (_e1392 * _e2042.z));
+                                                                        let _e2050 = (_e2042.y - (_e1395 * _e2042.z));
+                                                                        let _e2054 = triangles.member[(0u + _e1991)].v2_;
+                                                                        let _e2056 = (_e2054.x - _e1101);
+                                                                        let _e2058 = (_e2054.y - _e1114);
+                                                                        let _e2060 = (_e2054.z - _e1127);
+                                                                        if (_e1381 == 0u) {
+                                                                            phi_2601_ = vec3<f32>(_e2058, _e2060, _e2056);
                                                                         } else {
-                                                                            if (_e1316 == 1u) {
-                                                                                phi_2577_ = vec3<f32>(_e1995, _e1991, _e1993);
+                                                                            if (_e1381 == 1u) {
+                                                                                phi_2600_ = vec3<f32>(_e2060, _e2056, _e2058);
                                                                             } else {
-                                                                                phi_2577_ = (_e1989 - vec3<f32>(_e1030, _e1043, _e1056));
+                                                                                phi_2600_ = (_e2054 - vec3<f32>(_e1101, _e1114, _e1127));
                                                                             }
-                                                                            let _e2003 = phi_2577_;
-                                                                            phi_2578_ = _e2003;
+                                                                            let _e2068 = phi_2600_;
+                                                                            phi_2601_ = _e2068;
                                                                         }
-                                                                        let _e2005 = phi_2578_;
-                                                                        let _e2009 = (_e2005.x - (_e1327 * _e2005.z));
-                                                                        let _e2013 = (_e2005.y - (_e1330 * _e2005.z));
-                                                                        if (_e1981 < _e2009) {
-                                                                            phi_2599_ = true;
+                                                                        let _e2070 = phi_2601_;
+                                                                        let _e2074 = (_e2070.x - (_e1392 * _e2070.z));
+                                                                        let _e2078 = (_e2070.y - (_e1395 * _e2070.z));
+                                                                        if (_e2046 < _e2074) {
+                                                                            phi_2622_ = true;
                                                                         } else {
-                                                                            if (_e1981 == _e2009) {
-                                                                                phi_2598_ = (_e1985 < _e2013);
+                                                                            if (_e2046 == _e2074) {
+                                                                                phi_2621_ = (_e2050 < _e2078);
                                                                             } else {
-                                                                                phi_2598_ = false;
+                                                                                phi_2621_ = false;
                                                                             }
-                                                                            let _e2020 = phi_2598_;
-                                                                            phi_2599_ = _e2020;
+                                                                            let _e2085 = phi_2621_;
+                                                                            phi_2622_ = _e2085;
                                                                         }
-                                                                        let _e2022 = phi_2599_;
-                                                                        if _e2022 {
-                                                                            phi_2603_ = _e2013;
-                                                                            phi_2604_ = _e2009;
-                                                                            phi_2605_ = _e1985;
-                                                                            phi_2606_ = _e1981;
+                                                                        let _e2087 = phi_2622_;
+                                                                        if _e2087 {
+                                                                            phi_2626_ = _e2078;
+                                                                            phi_2627_ = _e2074;
+                                                                            phi_2628_ = _e2050;
+                                                                            phi_2629_ = _e2046;
                                                                         } else {
-                                                                            phi_2603_ = _e1985;
-                                                                            phi_2604_ = _e1981;
-                                                                            phi_2605_ = _e2013;
-                                                                            phi_2606_ = _e2009;
+                                                                            phi_2626_ = _e2050;
+                                                                            phi_2627_ = _e2046;
+                                                                            phi_2628_ = _e2078;
+                                                                            phi_2629_ = _e2074;
                                                                         }
-                                                                        let _e2024 = phi_2603_;
-                                                                        let _e2026 = phi_2604_;
-                                                                        let _e2028 = phi_2605_;
-                                                                        let _e2030 = phi_2606_;
-                                                                        let _e2033 = ((_e2030 * _e2024) - (_e2028 * _e2026));
-                                                                        if _e2022 {
-                                                                            phi_2614_ = -(_e2033);
+                                                                        let _e2089 = phi_2626_;
+                                                                        let _e2091 = phi_2627_;
+                                                                        let _e2093 = phi_2628_;
+                                                                        let _e2095 = phi_2629_;
+                                                                        let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
+                                                                        if _e2087 {
+                                                                            phi_2637_ = -(_e2098);
                                                                         } else {
-                                                                            phi_2614_ = _e2033;
+                                                                            phi_2637_ = _e2098;
                                                                         }
-                                                                        let _e2036 = phi_2614_;
-                                                                        if (_e2009 < _e1953) {
-                                                                            phi_2625_ = true;
+                                                                        let _e2101 = phi_2637_;
+                                                                        if (_e2074 < _e2018) {
+                                                                            phi_2648_ = true;
                                                                         } else {
-                                                                            if (_e2009 == _e1953) {
-                                                                                phi_2624_ = (_e2013 < _e1957);
+                                                                            if (_e2074 == _e2018) {
+                                                                                phi_2647_ = (_e2078 < _e2022);
                                                                             } else {
-                                                                                phi_2624_ = false;
+                                                                                phi_2647_ = false;
                                                                             }
-                                                                            let _e2041 = phi_2624_;
-                                                                            phi_2625_ = _e2041;
+                                                                            let _e2106 = phi_2647_;
+                                                                            phi_2648_ = _e2106;
                                                                         }
-                                                                        let _e2043 = phi_2625_;
-                                                                        if _e2043 {
-                                                                            phi_2629_ = _e1957;
-                                                                            phi_2630_ = _e1953;
-                                                                            phi_2631_ = _e2013;
-                                                                            phi_2632_ = _e2009;
+                                                                        let _e2108 = phi_2648_;
+                                                                        if _e2108 {
+                                                                            phi_2652_ = _e2022;
+                                                                            phi_2653_ = _e2018;
+                                                                            phi_2654_ = _e2078;
+                                                                            phi_2655_ = _e2074;
                                                                         } else {
-                                                                            phi_2629_ = _e2013;
-                                                                            phi_2630_ = _e2009;
-                                                                            phi_2631_ = _e1957;
-                                                                            phi_2632_ = _e1953;
+                                                                            phi_2652_ = _e2078;
+                                                                            phi_2653_ = _e2074;
+                                                                            phi_2654_ = _e2022;
+                                                                            phi_2655_ = _e2018;
                                                                         }
-                                                                        let _e2045 = phi_2629_;
-                                                                        let _e2047 = phi_2630_;
-                                                                        let _e2049 = phi_2631_;
-                                                                        let _e2051 = phi_2632_;
-                                                                        let _e2054 = ((_e2051 * _e2045) - (_e2049 * _e2047));
-                                                                        if _e2043 {
-                                                                            phi_2640_ = -(_e2054);
+                                                                        let _e2110 = phi_2652_;
+                                                                        let _e2112 = phi_2653_;
+                                                                        let _e2114 = phi_2654_;
+                                                                        let _e2116 = phi_2655_;
+                                                                        let _e2119 = ((_e2116 * _e2110) - (_e2114 * _e2112));
+                                                                        if _e2108 {
+                                                                            phi_2663_ = -(_e2119);
                                                                         } else {
-                                                                            phi_2640_ = _e2054;
+                                                                            phi_2663_ = _e2119;
                                                                         }
-                                                                        let _e2057 = phi_2640_;
-                                                                        if (_e1953 < _e1981) {
-                                                                            phi_2651_ = true;
+                                                                        let _e2122 = phi_2663_;
+                                                                        if (_e2018 < _e2046) {
+                                                                            phi_2674_ = true;
                                                                         } else {
-                                                                            if (_e1953 == _e1981) {
-                                                                                phi_2650_ = (_e1957 < _e1985);
+                                                                            if (_e2018 == _e2046) {
+                                                                                phi_2673_ = (_e2022 < _e2050);
                                                                             } else {
-                                                                                phi_2650_ = false;
+                                                                                phi_2673_ = false;
                                                                             }
-                                                                            let _e2062 = phi_2650_;
-                                                                            phi_2651_ = _e2062;
+                                                                            let _e2127 = phi_2673_;
+                                                                            phi_2674_ = _e2127;
                                                                         }
-                                                                        let _e2064 = phi_2651_;
-                                                                        if _e2064 {
-                                                                            phi_2655_ = _e1985;
-                                                                            phi_2656_ = _e1981;
-                                                                            phi_2657_ = _e1957;
-                                                                            phi_2658_ = _e1953;
+                                                                        let _e2129 = phi_2674_;
+                                                                        if _e2129 {
+                                                                            phi_2678_ = _e2050;
+                                                                            phi_2679_ = _e2046;
+                                                                            phi_2680_ = _e2022;
+                                                                            phi_2681_ = _e2018;
                                                                         } else {
-                                                                            phi_2655_ = _e1957;
-                                                                            phi_2656_ = _e1953;
-                                                                            phi_2657_ = _e1985;
-                                                                            phi_2658_ = _e1981;
+                                                                            phi_2678_ = _e2022;
+                                                                            phi_2679_ = _e2018;
+                                                                            phi_2680_ = _e2050;
+                                                                            phi_2681_ = _e2046;
                                                                         }
-                                                                        let _e2066 = phi_2655_;
-                                                                        let _e2068 = phi_2656_;
-                                                                        let _e2070 = phi_2657_;
-                                                                        let _e2072 = phi_2658_;
-                                                                        let _e2075 = ((_e2072 * _e2066) - (_e2070 * _e2068));
-                                                                        if _e2064 {
-                                                                            phi_2666_ = -(_e2075);
+                                                                        let _e2131 = phi_2678_;
+                                                                        let _e2133 = phi_2679_;
+                                                                        let _e2135 = phi_2680_;
+                                                                        let _e2137 = phi_2681_;
+                                                                        let _e2140 = ((_e2137 * _e2131) - (_e2135 * _e2133));
+                                                                        if _e2129 {
+                                                                            phi_2689_ = -(_e2140);
                                                                         } else {
-                                                                            phi_2666_ = _e2075;
+                                                                            phi_2689_ = _e2140;
                                                                         }
-                                                                        let _e2078 = phi_2666_;
-                                                                        if (_e2036 >= 0f) {
-                                                                            if (_e2057 >= 0f) {
-                                                                                if (_e2078 >= 0f) {
-                                                                                    phi_2681_ = ((_e2036 + _e2057) + _e2078);
-                                                                                    phi_2682_ = false;
-                                                                                } else {
-                                                                                    phi_2681_ = f32();
-                                                                                    phi_2682_ = true;
-                                                                                }
-                                                                                let _e2085 = phi_2681_;
-                                                                                let _e2087 = phi_2682_;
-                                                                                phi_2683_ = _e2085;
-                                                                                phi_2684_ = _e2087;
-                                                                            } else {
-                                                                                phi_2683_ = f32();
-                                                                                phi_2684_ = true;
-                                                                            }
-                                                                            let _e2089 = phi_2683_;
-                                                                            let _e2091 = phi_2684_;
-                                                                            phi_2685_ = _e2089;
-                                                                            phi_2686_ = _e2091;
-                                                                        } else {
-                                                                            phi_2685_ = f32();
-                                                                            phi_2686_ = true;
-                                                                        }
-                                                                        let _e2093 = phi_2685_;
-                                                                        let _e2095 = phi_2686_;
-                                                                        if _e2095 {
-                                                                            if (_e2036 <= 0f) {
-                                                                                if (_e2057 <= 0f) {
-                                                                                    let _e2098 = (_e2078 <= 0f);
-                                                                                    if _e2098 {
-                                                                                    }
-                                                                                    phi_2704_ = ((_e2036 + _e2057) + _e2078);
+                                                                        let _e2143 = phi_2689_;
+                                                                        if (_e2101 >= 0f) {
+                                                                            if (_e2122 >= 0f) {
+                                                                                if (_e2143 >= 0f) {
+                                                                                    phi_2704_ = ((_e2101 + _e2122) + _e2143);
                                                                                     phi_2705_ = false;
-                                                                                    phi_2706_ = _e2098;
                                                                                 } else {
                                                                                     phi_2704_ = f32();
                                                                                     phi_2705_ = true;
-                                                                                    phi_2706_ = false;
                                                                                 }
-                                                                                let _e2102 = phi_2704_;
-                                                                                let _e2104 = phi_2705_;
-                                                                                let _e2106 = phi_2706_;
-                                                                                phi_2707_ = _e2102;
-                                                                                phi_2708_ = _e2104;
-                                                                                phi_2709_ = _e2106;
+                                                                                let _e2150 = phi_2704_;
+                                                                                let _e2152 = phi_2705_;
+                                                                                phi_2706_ = _e2150;
+                                                                                phi_2707_ = _e2152;
                                                                             } else {
-                                                                                phi_2707_ = f32();
-                                                                                phi_2708_ = true;
-                                                                                phi_2709_ = false;
+                                                                                phi_2706_ = f32();
+                                                                                phi_2707_ = true;
                                                                             }
-                                                                            let _e2108 = phi_2707_;
-                                                                            let _e2110 = phi_2708_;
-                                                                            let _e2112 = phi_2709_;
-                                                                            if _e2110 {
-                                                                                phi_2713_ = false;
-                                                                            } else {
-                                                                                phi_2713_ = _e2112;
-                                                                            }
-                                                                            let _e2114 = phi_2713_;
-                                                                            phi_2714_ = _e2108;
-                                                                            phi_2715_ = _e2114;
+                                                                            let _e2154 = phi_2706_;
+                                                                            let _e2156 = phi_2707_;
+                                                                            phi_2708_ = _e2154;
+                                                                            phi_2709_ = _e2156;
                                                                         } else {
-                                                                            phi_2714_ = _e2093;
-                                                                            phi_2715_ = true;
+                                                                            phi_2708_ = f32();
+                                                                            phi_2709_ = true;
                                                                         }
-                                                                        let _e2116 = phi_2714_;
-                                                                        let _e2118 = phi_2715_;
-                                                                        if _e2118 {
-                                                                            let _e2119 = (_e2116 == 0f);
-                                                                            if _e2119 {
-                                                                                phi_2913_ = lt_bvh_triangle_Intersection();
-                                                                            } else {
-                                                                                let _e2125 = ((((_e2036 * (_e1332 * _e1949.z)) + (_e2057 * (_e1332 * _e1977.z))) + (_e2078 * (_e1332 * _e2005.z))) / _e2116);
-                                                                                let _e2127 = triangles.member[(0u + _e1926)].v0_;
-                                                                                let _e2129 = triangles.member[(0u + _e1926)].v1_;
-                                                                                if (_e2127.x < _e2129.x) {
-                                                                                    phi_2741_ = _e2127.x;
-                                                                                } else {
-                                                                                    phi_2741_ = _e2129.x;
-                                                                                }
-                                                                                let _e2136 = phi_2741_;
-                                                                                if (_e2127.y < _e2129.y) {
-                                                                                    phi_2750_ = _e2127.y;
-                                                                                } else {
-                                                                                    phi_2750_ = _e2129.y;
-                                                                                }
-                                                                                let _e2143 = phi_2750_;
-                                                                                if (_e2127.z < _e2129.z) {
-                                                                                    phi_2759_ = _e2127.z;
-                                                                                } else {
-                                                                                    phi_2759_ = _e2129.z;
-                                                                                }
-                                                                                let _e2150 = phi_2759_;
-                                                                                let _e2152 = triangles.member[(0u + _e1926)].v2_;
-                                                                                if (_e2136 < _e2152.x) {
-                                                                                    phi_2768_ = _e2136;
-                                                                                } else {
-                                                                                    phi_2768_ = _e2152.x;
-                                                                                }
-                                                                                let _e2157 = phi_2768_;
-                                                                                if (_e2143 < _e2152.y) {
-                                                                                    phi_2775_ = _e2143;
-                                                                                } else {
-                                                                                    phi_2775_ = _e2152.y;
-                                                                                }
-                                                                                let _e2162 = phi_2775_;
-                                                                                if (_e2150 < _e2152.z) {
-                                                                                    phi_2782_ = _e2150;
-                                                                                } else {
-                                                                                    phi_2782_ = _e2152.z;
-                                                                                }
-                                                                                let _e2167 = phi_2782_;
-                                                                                let _e2169 = triangles.member[(0u + _e1926)].v0_;
-                                                                                let _e2171 = triangles.member[(0u + _e1926)].v1_;
-                                                                                if (_e2169.x > _e2171.x) {
-                                                                                    phi_2795_ = _e2169.x;
-                                                                                } else {
-                                                                                    phi_2795_ = _e2171.x;
-                                                                                }
-                                                                                let _e2178 = phi_2795_;
-                                                                                if (_e2169.y > _e2171.y) {
-                                                                                    phi_2804_ = _e2169.y;
-                                                                                } else {
-                                                                                    phi_2804_ = _e2171.y;
-                                                                                }
-                                                                                let _e2185 = phi_2804_;
-                                                                                if (_e2169.z > _e2171.z) {
-                                                                                    phi_2813_ = _e2169.z;
-                                                                                } else {
-                                                                                    phi_2813_ = _e2171.z;
-                                                                                }
-                                                                                let _e2192 = phi_2813_;
-                                                                                let _e2194 = triangles.member[(0u + _e1926)].v2_;
-                                                                                if (_e2178 > _e2194.x) {
-                                                                                    phi_2822_ = _e2178;
-                                                                                } else {
-                                                                                    phi_2822_ = _e2194.x;
-                                                                                }
-                                                                                let _e2199 = phi_2822_;
-                                                                                if (_e2185 > _e2194.y) {
-                                                                                    phi_2829_ = _e2185;
-                                                                                } else {
-                                                                                    phi_2829_ = _e2194.y;
-                                                                                }
-                                                                                let _e2204 = phi_2829_;
-                                                                                if (_e2192 > _e2194.z) {
-                                                                                    phi_2836_ = _e2192;
-                                                                                } else {
-                                                                                    phi_2836_ = _e2194.z;
-                                                                                }
-                                                                                let _e2209 = phi_2836_;
-                                                                                let _e2213 = ((_e2157 - _e1030) * _e1245);
-                                                                                let _e2214 = ((_e2162 - _e1043) * _e1255);
-                                                                                let _e2215 = ((_e2167 - _e1056) * _e1265);
-                                                                                let _e2219 = ((_e2199 - _e1030) * _e1245);
-                                                                                let _e2220 = ((_e2204 - _e1043) * _e1255);
-                                                                                let _e2221 = ((_e2209 - _e1056) * _e1265);
-                                                                                if (_e2213 < _e2219) {
-                                                                                    phi_2853_ = _e2213;
-                                                                                } else {
-                                                                                    phi_2853_ = _e2219;
-                                                                                }
-                                                                                let _e2224 = phi_2853_;
-                                                                                if (_e2214 < _e2220) {
-                                                                                    phi_2858_ = _e2214;
-                                                                                } else {
-                                                                                    phi_2858_ = _e2220;
-                                                                                }
-                                                                                let _e2227 = phi_2858_;
-                                                                                if (_e2215 < _e2221) {
-                                                                                    phi_2863_ = _e2215;
-                                                                                } else {
-                                                                                    phi_2863_ = _e2221;
-                                                                                }
-                                                                                let _e2230 = phi_2863_;
-                                                                                if (_e2213 > _e2219) {
-                                                                                    phi_2871_ = _e2213;
-                                                                                } else {
-                                                                                    phi_2871_ = _e2219;
-                                                                                }
-                                                                                let _e2236 = phi_2871_;
-                                                                                if (_e2214 > _e2220) {
-                                                                                    phi_2876_ = _e2214;
-                                                                                } else {
-                                                                                    phi_2876_ = _e2220;
-                                                                                }
-                                                                                let _e2239 = phi_2876_;
-                                                                                if (_e2215 > _e2221) {
-                                                                                    phi_2881_ = _e2215;
-                                                                                } else {
-                                                                                    phi_2881_ = _e2221;
-                                                                                }
-                                                                                let _e2242 = phi_2881_;
-                                                                                let _e2246 = core_intrinsics_maximum_number_nsz_f32_((_e2224 - _e1300), (_e2227 - _e1301));
-                                                                                let _e2247 = core_intrinsics_maximum_number_nsz_f32_(_e2246, (_e2230 - _e1302));
-                                                                                let _e2248 = core_intrinsics_minimum_number_nsz_f32_((_e2236 + _e1300), (_e2239 + _e1301));
-                                                                                let _e2249 = core_intrinsics_minimum_number_nsz_f32_(_e2248, (_e2242 + _e1302));
-                                                                                if (_e2247 > _e1005) {
-                                                                                    phi_2893_ = _e2247;
-                                                                                } else {
-                                                                                    phi_2893_ = _e1005;
-                                                                                }
-                                                                                let _e2252 = phi_2893_;
-                                                                                if (_e2249 < _e1007) {
-                                                                                    phi_2898_ = _e2249;
-                                                                                } else {
-                                                                                    phi_2898_ = _e1007;
-                                                                                }
-                                                                                let _e2255 = phi_2898_;
-                                                                                if (_e2125 < _e2252) {
-                                                                                    phi_2903_ = _e2252;
-                                                                                } else {
-                                                                                    phi_2903_ = _e2125;
-                                                                                }
-                                                                                let _e2258 = phi_2903_;
-                                                                                if (_e2258 > _e2255) {
-                                                                                    phi_2908_ = _e2255;
-                                                                                } else {
-                                                                                    phi_2908_ = _e2258;
-                                                                                }
-                                                                                let _e2261 = phi_2908_;
-                                                                                phi_2913_ = lt_bvh_triangle_Intersection(_e2261, (_e2057 / _e2116), (_e2078 / _e2116), (_e2252 <= _e2255));
-                                                                            }
-                                                                            let _e2267 = phi_2913_;
-                                                                            phi_2914_ = _e2267;
-                                                                            phi_2915_ = _e2119;
-                                                                        } else {
-                                                                            phi_2914_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2915_ = true;
-                                                                        }
-                                                                        let _e2269 = phi_2914_;
-                                                                        let _e2271 = phi_2915_;
-                                                                        if _e2271 {
-                                                                            phi_2919_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                                                        } else {
-                                                                            phi_2919_ = _e2269;
-                                                                        }
-                                                                        let _e2273 = phi_2919_;
-                                                                        if _e2273.is_hit {
-                                                                            if (_e2273.t > _e126.tmin) {
-                                                                                if (_e2273.t < _e126.tmax) {
-                                                                                    let _e2280 = triangles.member[(0u + _e1926)].i0_;
-                                                                                    let _e2282 = ((_e2280 & 2147483648u) == 0u);
-                                                                                    if _e2282 {
-                                                                                        phi_3137_ = false;
-                                                                                        phi_3138_ = false;
-                                                                                    } else {
-                                                                                        if (_e1926 < _e79) {
-                                                                                        } else {
-                                                                                            return;
-                                                                                        }
-                                                                                        let _e2289 = triangles.member[(0u + _e1926)].i0_;
-                                                                                        let _e2290 = (_e2289 & 2147483647u);
-                                                                                        let _e2292 = triangles.member[(0u + _e1926)].i1_;
-                                                                                        let _e2294 = triangles.member[(0u + _e1926)].i2_;
-                                                                                        if (_e2290 < _e88) {
-                                                                                        } else {
-                                                                                            return;
-                                                                                        }
-                                                                                        let _e2298 = vertices.member[(0u + _e2290)];
-                                                                                        if (_e2292 < _e88) {
-                                                                                        } else {
-                                                                                            return;
-                                                                                        }
-                                                                                        let _e2302 = vertices.member[(0u + _e2292)];
-                                                                                        if (_e2294 < _e88) {
-                                                                                        } else {
-                                                                                            return;
-                                                                                        }
-                                                                                        let _e2306 = vertices.member[(0u + _e2294)];
-                                                                                        let _e2307 = array<abi_Vertex, 3>(_e2298, _e2302, _e2306);
-                                                                                        local_1 = array<abi_Vertex, 3>(abi_Vertex(_e2307[0].u, _e2307[0].v, _e2307[0].normal, _e2307[0].color, _e2307[0].material), abi_Vertex(_e2307[1].u, _e2307[1].v, _e2307[1].normal, _e2307[1].color, _e2307[1].material), abi_Vertex(_e2307[2].u, _e2307[2].v, _e2307[2].normal, _e2307[2].color, _e2307[2].material));
-                                                                                        let _e2332 = local_1[0u].material;
-                                                                                        if (_e2332 < arrayLength((&materials.member))) {
-                                                                                        } else {
-                                                                                            return;
-                                                                                        }
-                                                                                        let _e2336 = materials.member[(0u + _e2332)];
-                                                                                        if ((_e2336.flags & 1u) == 1u) {
-                                                                                            let _e2340 = lt_shaders_surface_barycentric_weights(_e2273.u, _e2273.v);
-                                                                                            if (_e2336.cutoff <= 0f) {
-                                                                                                phi_3131_ = true;
-                                                                                            } else {
-                                                                                                let _e2345 = lt_shaders_surface_vertex_color((&local_1), _e2340);
-                                                                                                let _e2347 = (_e2336.base_color.w * _e2345.w);
-                                                                                                if (_e2336.alpha_size == 0u) {
-                                                                                                    phi_3128_ = _e2347;
-                                                                                                } else {
-                                                                                                    local.offset = _e2336.alpha_offset;
-                                                                                                    local.size = _e2336.alpha_size;
-                                                                                                    local.flags = _e2336.flags;
-                                                                                                    let _e2356 = lt_shaders_surface_texture_coordinate((&local_1), _e2340);
-                                                                                                    let _e2359 = _lt_shaders_texture_TextureView_quad((&local), _e2356.x, _e2356.y);
-                                                                                                    let _e2363 = (_e2359.indices[0] >> bitcast<u32>(2i));
-                                                                                                    if (_e2363 < _e94) {
-                                                                                                    } else {
-                                                                                                        return;
-                                                                                                    }
-                                                                                                    let _e2367 = alpha_texels.member[(0u + _e2363)];
-                                                                                                    let _e2383 = (_e2359.indices[1] >> bitcast<u32>(2i));
-                                                                                                    if (_e2383 < _e94) {
-                                                                                                    } else {
-                                                                                                        return;
-                                                                                                    }
-                                                                                                    let _e2387 = alpha_texels.member[(0u + _e2383)];
-                                                                                                    let _e2404 = (_e2359.indices[2] >> bitcast<u32>(2i));
-                                                                                                    if (_e2404 < _e94) {
-                                                                                                    } else {
-                                                                                                        return;
-                                                                                                    }
-                                                                                                    let _e2408 = alpha_texels.member[(0u + _e2404)];
-                                                                                                    let _e2425 = (_e2359.indices[3] >> bitcast<u32>(2i));
-                                                                                                    if (_e2425 < _e94) {
-                                                                                                    } else {
-                                                                                                        return;
-                                                                                                    }
-                                                                                                    let _e2429 = alpha_texels.member[(0u + _e2425)];
-                                                                                                    phi_3128_ = (_e2347 * (((((f32(((_e2367 >> bitcast<u32>((((_e2359.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2359.weights.x) + ((f32(((_e2387 >> bitcast<u32>((((_e2359.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2359.weights.y)) + ((f32(((_e2408 >> bitcast<u32>((((_e2359.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2359.weights.z)) + ((f32(((_e2429 >> bitcast<u32>((((_e2359.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2359.weights.w)));
-                                                                                                }
-                                                                                                let _e2445 = phi_3128_;
-                                                                                                phi_3131_ = (_e2445 >= _e2336.cutoff);
-                                                                                            }
-                                                                                            let _e2449 = phi_3131_;
-                                                                                            phi_3132_ = _e2449;
-                                                                                        } else {
-                                                                                            phi_3132_ = false;
-                                                                                        }
-                                                                                        let _e2451 = phi_3132_;
-                                                                                        if _e2451 {
-                                                                                            phi_3136_ = false;
-                                                                                        } else {
-                                                                                            phi_3136_ = true;
-                                                                                        }
-                                                                                        let _e2453 = phi_3136_;
-                                                                                        phi_3137_ = _e2453;
-                                                                                        phi_3138_ = _e2451;
+                                                                        let _e2158 = phi_2708_;
+                                                                        let _e2160 = phi_2709_;
+                                                                        if _e2160 {
+                                                                            if (_e2101 <= 0f) {
+                                                                                if (_e2122 <= 0f) {
+                                                                                    let _e2163 = (_e2143 <= 0f);
+                                                                                    if _e2163 {
                                                                                     }
-                                                                                    let _e2455 = phi_3137_;
-                                                                                    let _e2457 = phi_3138_;
-                                                                                    phi_3139_ = _e2455;
-                                                                                    phi_3140_ = _e2282;
-                                                                                    phi_3141_ = _e2457;
+                                                                                    phi_2727_ = ((_e2101 + _e2122) + _e2143);
+                                                                                    phi_2728_ = false;
+                                                                                    phi_2729_ = _e2163;
                                                                                 } else {
-                                                                                    phi_3139_ = true;
-                                                                                    phi_3140_ = false;
-                                                                                    phi_3141_ = false;
+                                                                                    phi_2727_ = f32();
+                                                                                    phi_2728_ = true;
+                                                                                    phi_2729_ = false;
                                                                                 }
-                                                                                let _e2459 = phi_3139_;
-                                                                                let _e2461 = phi_3140_;
-                                                                                let _e2463 = phi_3141_;
-                                                                                phi_3142_ = _e2459;
-                                                                                phi_3143_ = _e2461;
-                                                                                phi_3144_ = _e2463;
+                                                                                let _e2167 = phi_2727_;
+                                                                                let _e2169 = phi_2728_;
+                                                                                let _e2171 = phi_2729_;
+                                                                                phi_2730_ = _e2167;
+                                                                                phi_2731_ = _e2169;
+                                                                                phi_2732_ = _e2171;
                                                                             } else {
-                                                                                phi_3142_ = true;
-                                                                                phi_3143_ = false;
-                                                                                phi_3144_ = false;
+                                                                                phi_2730_ = f32();
+                                                                                phi_2731_ = true;
+                                                                                phi_2732_ = false;
                                                                             }
-                                                                            let _e2465 = phi_3142_;
-                                                                            let _e2467 = phi_3143_;
-                                                                            let _e2469 = phi_3144_;
-                                                                            phi_3145_ = _e2465;
-                                                                            phi_3146_ = _e2467;
-                                                                            phi_3147_ = _e2469;
+                                                                            let _e2173 = phi_2730_;
+                                                                            let _e2175 = phi_2731_;
+                                                                            let _e2177 = phi_2732_;
+                                                                            if _e2175 {
+                                                                                phi_2736_ = false;
+                                                                            } else {
+                                                                                phi_2736_ = _e2177;
+                                                                            }
+                                                                            let _e2179 = phi_2736_;
+                                                                            phi_2737_ = _e2173;
+                                                                            phi_2738_ = _e2179;
                                                                         } else {
-                                                                            phi_3145_ = true;
-                                                                            phi_3146_ = false;
-                                                                            phi_3147_ = false;
+                                                                            phi_2737_ = _e2158;
+                                                                            phi_2738_ = true;
                                                                         }
-                                                                        let _e2471 = phi_3145_;
-                                                                        let _e2473 = phi_3146_;
-                                                                        let _e2475 = phi_3147_;
-                                                                        if _e2471 {
-                                                                            phi_3151_ = false;
-                                                                            phi_3152_ = false;
+                                                                        let _e2181 = phi_2737_;
+                                                                        let _e2183 = phi_2738_;
+                                                                        if _e2183 {
+                                                                            let _e2184 = (_e2181 == 0f);
+                                                                            if _e2184 {
+                                                                                phi_2951_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2952_ = false;
+                                                                            } else {
+                                                                                let _e2190 = ((((_e2101 * (_e1397 * _e2014.z)) + (_e2122 * (_e1397 * _e2042.z))) + (_e2143 * (_e1397 * _e2070.z))) / _e2181);
+                                                                                if (_e2190 > 0f) {
+                                                                                    if (_e2190 < _e231) {
+                                                                                        let _e2194 = triangles.member[(0u + _e1991)].v0_;
+                                                                                        let _e2196 = triangles.member[(0u + _e1991)].v1_;
+                                                                                        if (_e2194.x < _e2196.x) {
+                                                                                            phi_2772_ = _e2194.x;
+                                                                                        } else {
+                                                                                            phi_2772_ = _e2196.x;
+                                                                                        }
+                                                                                        let _e2203 = phi_2772_;
+                                                                                        if (_e2194.y < _e2196.y) {
+                                                                                            phi_2781_ = _e2194.y;
+                                                                                        } else {
+                                                                                            phi_2781_ = _e2196.y;
+                                                                                        }
+                                                                                        let _e2210 = phi_2781_;
+                                                                                        if (_e2194.z < _e2196.z) {
+                                                                                            phi_2790_ = _e2194.z;
+                                                                                        } else {
+                                                                                            phi_2790_ = _e2196.z;
+                                                                                        }
+                                                                                        let _e2217 = phi_2790_;
+                                                                                        let _e2219 = triangles.member[(0u + _e1991)].v2_;
+                                                                                        if (_e2203 < _e2219.x) {
+                                                                                            phi_2799_ = _e2203;
+                                                                                        } else {
+                                                                                            phi_2799_ = _e2219.x;
+                                                                                        }
+                                                                                        let _e2224 = phi_2799_;
+                                                                                        if (_e2210 < _e2219.y) {
+                                                                                            phi_2806_ = _e2210;
+                                                                                        } else {
+                                                                                            phi_2806_ = _e2219.y;
+                                                                                        }
+                                                                                        let _e2229 = phi_2806_;
+                                                                                        if (_e2217 < _e2219.z) {
+                                                                                            phi_2813_ = _e2217;
+                                                                                        } else {
+                                                                                            phi_2813_ = _e2219.z;
+                                                                                        }
+                                                                                        let _e2234 = phi_2813_;
+                                                                                        let _e2236 = triangles.member[(0u + _e1991)].v0_;
+                                                                                        let _e2238 = triangles.member[(0u + _e1991)].v1_;
+                                                                                        if (_e2236.x > _e2238.x) {
+                                                                                            phi_2826_ = _e2236.x;
+                                                                                        } else {
+                                                                                            phi_2826_ = _e2238.x;
+                                                                                        }
+                                                                                        let _e2245 = phi_2826_;
+                                                                                        if (_e2236.y > _e2238.y) {
+                                                                                            phi_2835_ = _e2236.y;
+                                                                                        } else {
+                                                                                            phi_2835_ = _e2238.y;
+                                                                                        }
+                                                                                        let _e2252 = phi_2835_;
+                                                                                        if (_e2236.z > _e2238.z) {
+                                                                                            phi_2844_ = _e2236.z;
+                                                                                        } else {
+                                                                                            phi_2844_ = _e2238.z;
+                                                                                        }
+                                                                                        let _e2259 = phi_2844_;
+                                                                                        let _e2261 = triangles.member[(0u + _e1991)].v2_;
+                                                                                        if (_e2245 > _e2261.x) {
+                                                                                            phi_2853_ = _e2245;
+                                                                                        } else {
+                                                                                            phi_2853_ = _e2261.x;
+                                                                                        }
+                                                                                        let _e2266 = phi_2853_;
+                                                                                        if (_e2252 > _e2261.y) {
+                                                                                            phi_2860_ = _e2252;
+                                                                                        } else {
+                                                                                            phi_2860_ = _e2261.y;
+                                                                                        }
+                                                                                        let _e2271 = phi_2860_;
+                                                                                        if (_e2259 > _e2261.z) {
+                                                                                            phi_2867_ = _e2259;
+                                                                                        } else {
+                                                                                            phi_2867_ = _e2261.z;
+                                                                                        }
+                                                                                        let _e2276 = phi_2867_;
+                                                                                        let _e2280 = ((_e2224 - _e1101) * _e1310);
+                                                                                        let _e2281 = ((_e2229 - _e1114) * _e1320);
+                                                                                        let _e2282 = ((_e2234 - _e1127) * _e1330);
+                                                                                        let _e2286 = ((_e2266 - _e1101) * _e1310);
+                                                                                        let _e2287 = ((_e2271 - _e1114) * _e1320);
+                                                                                        let _e2288 = ((_e2276 - _e1127) * _e1330);
+                                                                                        if (_e2280 < _e2286) {
+                                                                                            phi_2884_ = _e2280;
+                                                                                        } else {
+                                                                                            phi_2884_ = _e2286;
+                                                                                        }
+                                                                                        let _e2291 = phi_2884_;
+                                                                                        if (_e2281 < _e2287) {
+                                                                                            phi_2889_ = _e2281;
+                                                                                        } else {
+                                                                                            phi_2889_ = _e2287;
+                                                                                        }
+                                                                                        let _e2294 = phi_2889_;
+                                                                                        if (_e2282 < _e2288) {
+                                                                                            phi_2894_ = _e2282;
+                                                                                        } else {
+                                                                                            phi_2894_ = _e2288;
+                                                                                        }
+                                                                                        let _e2297 = phi_2894_;
+                                                                                        if (_e2280 > _e2286) {
+                                                                                            phi_2902_ = _e2280;
+                                                                                        } else {
+                                                                                            phi_2902_ = _e2286;
+                                                                                        }
+                                                                                        let _e2303 = phi_2902_;
+                                                                                        if (_e2281 > _e2287) {
+                                                                                            phi_2907_ = _e2281;
+                                                                                        } else {
+                                                                                            phi_2907_ = _e2287;
+                                                                                        }
+                                                                                        let _e2306 = phi_2907_;
+                                                                                        if (_e2282 > _e2288) {
+                                                                                            phi_2912_ = _e2282;
+                                                                                        } else {
+                                                                                            phi_2912_ = _e2288;
+                                                                                        }
+                                                                                        let _e2309 = phi_2912_;
+                                                                                        let _e2313 = core_intrinsics_maximum_number_nsz_f32_((_e2291 - _e1365), (_e2294 - _e1366));
+                                                                                        let _e2314 = core_intrinsics_maximum_number_nsz_f32_(_e2313, (_e2297 - _e1367));
+                                                                                        let _e2315 = core_intrinsics_minimum_number_nsz_f32_((_e2303 + _e1365), (_e2306 + _e1366));
+                                                                                        let _e2316 = core_intrinsics_minimum_number_nsz_f32_(_e2315, (_e2309 + _e1367));
+                                                                                        if (_e2314 > _e1082) {
+                                                                                            phi_2924_ = _e2314;
+                                                                                        } else {
+                                                                                            phi_2924_ = _e1082;
+                                                                                        }
+                                                                                        let _e2319 = phi_2924_;
+                                                                                        if (_e2316 < _e1084) {
+                                                                                            phi_2929_ = _e2316;
+                                                                                        } else {
+                                                                                            phi_2929_ = _e1084;
+                                                                                        }
+                                                                                        let _e2322 = phi_2929_;
+                                                                                        if (_e2190 < _e2319) {
+                                                                                            phi_2934_ = _e2319;
+                                                                                        } else {
+                                                                                            phi_2934_ = _e2190;
+                                                                                        }
+                                                                                        let _e2325 = phi_2934_;
+                                                                                        if (_e2325 > _e2322) {
+                                                                                            phi_2939_ = _e2322;
+                                                                                        } else {
+                                                                                            phi_2939_ = _e2325;
+                                                                                        }
+                                                                                        let _e2328 = phi_2939_;
+                                                                                        phi_2944_ = lt_bvh_triangle_Intersection(_e2328, (_e2122 / _e2181), (_e2143 / _e2181), (_e2319 <= _e2322));
+                                                                                        phi_2945_ = false;
+                                                                                    } else {
+                                                                                        phi_2944_ = lt_bvh_triangle_Intersection();
+                                                                                        phi_2945_ = true;
+                                                                                    }
+                                                                                    let _e2334 = phi_2944_;
+                                                                                    let _e2336 = phi_2945_;
+                                                                                    phi_2946_ = _e2334;
+                                                                                    phi_2947_ = _e2336;
+                                                                                } else {
+                                                                                    phi_2946_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2947_ = true;
+                                                                                }
+                                                                                let _e2338 = phi_2946_;
+                                                                                let _e2340 = phi_2947_;
+                                                                                if _e2340 {
+                                                                                }
+                                                                                phi_2951_ = _e2338;
+                                                                                phi_2952_ = _e2340;
+                                                                            }
+                                                                            let _e2342 = phi_2951_;
+                                                                            let _e2344 = phi_2952_;
+                                                                            phi_2953_ = _e2342;
+                                                                            phi_2954_ = _e2184;
+                                                                            phi_2955_ = _e2344;
                                                                         } else {
-                                                                            phi_3151_ = _e2473;
-                                                                            phi_3152_ = _e2475;
+                                                                            phi_2953_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2954_ = true;
+                                                                            phi_2955_ = false;
                                                                         }
-                                                                        let _e2477 = phi_3151_;
-                                                                        let _e2479 = phi_3152_;
-                                                                        phi_2469_ = (_e1917 & (_e1917 - 1u));
-                                                                        phi_3153_ = _e2471;
-                                                                        phi_3154_ = _e2477;
-                                                                        phi_3155_ = _e2479;
+                                                                        let _e2346 = phi_2953_;
+                                                                        let _e2348 = phi_2954_;
+                                                                        let _e2350 = phi_2955_;
+                                                                        if _e2348 {
+                                                                            phi_2959_ = true;
+                                                                        } else {
+                                                                            phi_2959_ = _e2350;
+                                                                        }
+                                                                        let _e2352 = phi_2959_;
+                                                                        if _e2352 {
+                                                                            phi_2963_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        } else {
+                                                                            phi_2963_ = _e2346;
+                                                                        }
+                                                                        let _e2354 = phi_2963_;
+                                                                        if _e2354.is_hit {
+                                                                            if (_e2354.t > 0f) {
+                                                                                if (_e2354.t < _e231) {
+                                                                                    let _e2361 = triangles.member[(0u + _e1991)].i0_;
+                                                                                    let _e2363 = ((_e2361 & 2147483648u) == 0u);
+                                                                                    if _e2363 {
+                                                                                        phi_3190_ = false;
+                                                                                        phi_3191_ = false;
+                                                                                    } else {
+                                                                                        if (_e1991 < _e82) {
+                                                                                        } else {
+                                                                                            return;
+                                                                                        }
+                                                                                        let _e2370 = triangles.member[(0u + _e1991)].i0_;
+                                                                                        let _e2371 = (_e2370 & 2147483647u);
+                                                                                        let _e2373 = triangles.member[(0u + _e1991)].i1_;
+                                                                                        let _e2375 = triangles.member[(0u + _e1991)].i2_;
+                                                                                        if (_e2371 < _e91) {
+                                                                                        } else {
+                                                                                            return;
+                                                                                        }
+                                                                                        let _e2379 = vertices.member[(0u + _e2371)];
+                                                                                        if (_e2373 < _e91) {
+                                                                                        } else {
+                                                                                            return;
+                                                                                        }
+                                                                                        let _e2383 = vertices.member[(0u + _e2373)];
+                                                                                        if (_e2375 < _e91) {
+                                                                                        } else {
+                                                                                            return;
+                                                                                        }
+                                                                                        let _e2387 = vertices.member[(0u + _e2375)];
+                                                                                        let _e2388 = array<abi_Vertex, 3>(_e2379, _e2383, _e2387);
+                                                                                        if (_e2388[0].material < arrayLength((&materials.member))) {
+                                                                                        } else {
+                                                                                            return;
+                                                                                        }
+                                                                                        let _e2394 = materials.member[(0u + _e2388[0].material)];
+                                                                                        if ((_e2394.flags & 1u) == 1u) {
+                                                                                            let _e2399 = ((1f - _e2354.u) - _e2354.v);
+                                                                                            if (_e2394.cutoff <= 0f) {
+                                                                                                phi_3184_ = true;
+                                                                                            } else {
+                                                                                                let _e2430 = (_e2394.base_color.w * ((((f32((_e2388[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2399) + ((f32((_e2388[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2354.u)) + ((f32((_e2388[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2354.v)));
+                                                                                                if (_e2394.alpha_size == 0u) {
+                                                                                                    phi_3181_ = _e2430;
+                                                                                                } else {
+                                                                                                    local.offset = _e2394.alpha_offset;
+                                                                                                    local.size = _e2394.alpha_size;
+                                                                                                    local.flags = _e2394.flags;
+                                                                                                    let _e2461 = _lt_shaders_texture_TextureView_quad((&local), (((_e2388[0].u * _e2399) + (_e2388[1].u * _e2354.u)) + (_e2388[2].u * _e2354.v)), (((_e2388[0].v * _e2399) + (_e2388[1].v * _e2354.u)) + (_e2388[2].v * _e2354.v)));
+                                                                                                    let _e2465 = (_e2461.indices[0] >> bitcast<u32>(2i));
+                                                                                                    if (_e2465 < _e97) {
+                                                                                                    } else {
+                                                                                                        return;
+                                                                                                    }
+                                                                                                    let _e2469 = alpha_texels.member[(0u + _e2465)];
+                                                                                                    let _e2485 = (_e2461.indices[1] >> bitcast<u32>(2i));
+                                                                                                    if (_e2485 < _e97) {
+                                                                                                    } else {
+                                                                                                        return;
+                                                                                                    }
+                                                                                                    let _e2489 = alpha_texels.member[(0u + _e2485)];
+                                                                                                    let _e2506 = (_e2461.indices[2] >> bitcast<u32>(2i));
+                                                                                                    if (_e2506 < _e97) {
+                                                                                                    } else {
+                                                                                                        return;
+                                                                                                    }
+                                                                                                    let _e2510 = alpha_texels.member[(0u + _e2506)];
+                                                                                                    let _e2527 = (_e2461.indices[3] >> bitcast<u32>(2i));
+                                                                                                    if (_e2527 < _e97) {
+                                                                                                    } else {
+                                                                                                        return;
+                                                                                                    }
+                                                                                                    let _e2531 = alpha_texels.member[(0u + _e2527)];
+                                                                                                    phi_3181_ = (_e2430 * (((((f32(((_e2469 >> bitcast<u32>((((_e2461.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.x) + ((f32(((_e2489 >> bitcast<u32>((((_e2461.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.y)) + ((f32(((_e2510 >> bitcast<u32>((((_e2461.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.z)) + ((f32(((_e2531 >> bitcast<u32>((((_e2461.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.w)));
+                                                                                                }
+                                                                                                let _e2547 = phi_3181_;
+                                                                                                phi_3184_ = (_e2547 >= _e2394.cutoff);
+                                                                                            }
+                                                                                            let _e2551 = phi_3184_;
+                                                                                            phi_3185_ = _e2551;
+                                                                                        } else {
+                                                                                            phi_3185_ = false;
+                                                                                        }
+                                                                                        let _e2553 = phi_3185_;
+                                                                                        if _e2553 {
+                                                                                            phi_3189_ = false;
+                                                                                        } else {
+                                                                                            phi_3189_ = true;
+                                                                                        }
+                                                                                        let _e2555 = phi_3189_;
+                                                                                        phi_3190_ = _e2555;
+                                                                                        phi_3191_ = _e2553;
+                                                                                    }
+                                                                                    let _e2557 = phi_3190_;
+                                                                                    let _e2559 = phi_3191_;
+                                                                                    phi_3192_ = _e2557;
+                                                                                    phi_3193_ = _e2363;
+                                                                                    phi_3194_ = _e2559;
+                                                                                } else {
+                                                                                    phi_3192_ = true;
+                                                                                    phi_3193_ = false;
+                                                                                    phi_3194_ = false;
+                                                                                }
+                                                                                let _e2561 = phi_3192_;
+                                                                                let _e2563 = phi_3193_;
+                                                                                let _e2565 = phi_3194_;
+                                                                                phi_3195_ = _e2561;
+                                                                                phi_3196_ = _e2563;
+                                                                                phi_3197_ = _e2565;
+                                                                            } else {
+                                                                                phi_3195_ = true;
+                                                                                phi_3196_ = false;
+                                                                                phi_3197_ = false;
+                                                                            }
+                                                                            let _e2567 = phi_3195_;
+                                                                            let _e2569 = phi_3196_;
+                                                                            let _e2571 = phi_3197_;
+                                                                            phi_3198_ = _e2567;
+                                                                            phi_3199_ = _e2569;
+                                                                            phi_3200_ = _e2571;
+                                                                        } else {
+                                                                            phi_3198_ = true;
+                                                                            phi_3199_ = false;
+                                                                            phi_3200_ = false;
+                                                                        }
+                                                                        let _e2573 = phi_3198_;
+                                                                        let _e2575 = phi_3199_;
+                                                                        let _e2577 = phi_3200_;
+                                                                        if _e2573 {
+                                                                            phi_3204_ = false;
+                                                                            phi_3205_ = false;
+                                                                        } else {
+                                                                            phi_3204_ = _e2575;
+                                                                            phi_3205_ = _e2577;
+                                                                        }
+                                                                        let _e2579 = phi_3204_;
+                                                                        let _e2581 = phi_3205_;
+                                                                        phi_2492_ = (_e1982 & (_e1982 - 1u));
+                                                                        phi_3206_ = _e2573;
+                                                                        phi_3207_ = _e2579;
+                                                                        phi_3208_ = _e2581;
                                                                     }
-                                                                    let _e2481 = phi_2469_;
-                                                                    let _e2483 = phi_3153_;
-                                                                    let _e2485 = phi_3154_;
-                                                                    let _e2487 = phi_3155_;
-                                                                    local_15 = _e2485;
-                                                                    local_16 = _e2487;
+                                                                    let _e2583 = phi_2492_;
+                                                                    let _e2585 = phi_3206_;
+                                                                    let _e2587 = phi_3207_;
+                                                                    let _e2589 = phi_3208_;
+                                                                    local_14 = _e2587;
+                                                                    local_15 = _e2589;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2468_ = _e2481;
-                                                                        break if !(_e2483);
+                                                                        phi_2491_ = _e2583;
+                                                                        break if !(_e2585);
                                                                     }
                                                                 }
-                                                                let _e2490 = local_11;
-                                                                if _e2490 {
-                                                                    let _e2492 = local_2.group_mask;
-                                                                    if ((_e2492 & 4278190080u) == 0u) {
-                                                                        let _e2496 = local_2.len;
-                                                                        if (_e2496 == 0u) {
-                                                                            phi_3197_ = false;
+                                                                let _e2592 = local_10;
+                                                                if _e2592 {
+                                                                    let _e2594 = local_1.group_mask;
+                                                                    if ((_e2594 & 4278190080u) == 0u) {
+                                                                        let _e2598 = local_1.len;
+                                                                        if (_e2598 == 0u) {
+                                                                            phi_3250_ = false;
                                                                         } else {
-                                                                            let _e2500 = local_2.len;
-                                                                            local_2.len = (_e2500 - 1u);
-                                                                            let _e2503 = local_2.len;
-                                                                            if (_e2503 < 32u) {
+                                                                            let _e2602 = local_1.len;
+                                                                            local_1.len = (_e2602 - 1u);
+                                                                            let _e2605 = local_1.len;
+                                                                            if (_e2605 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2508 = local_2.first[(0u + _e2503)];
-                                                                            local_2.group = _e2508;
-                                                                            let _e2511 = local_2.len;
-                                                                            if (_e2511 < 32u) {
+                                                                            let _e2610 = local_1.first[(0u + _e2605)];
+                                                                            local_1.group = _e2610;
+                                                                            let _e2613 = local_1.len;
+                                                                            if (_e2613 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2516 = local_2.mask[(0u + _e2511)];
-                                                                            local_2.group_mask = _e2516;
-                                                                            phi_3197_ = true;
+                                                                            let _e2618 = local_1.mask[(0u + _e2613)];
+                                                                            local_1.group_mask = _e2618;
+                                                                            phi_3250_ = true;
                                                                         }
-                                                                        let _e2519 = phi_3197_;
-                                                                        phi_3198_ = _e2519;
+                                                                        let _e2621 = phi_3250_;
+                                                                        phi_3251_ = _e2621;
                                                                     } else {
-                                                                        phi_3198_ = true;
+                                                                        phi_3251_ = true;
                                                                     }
-                                                                    let _e2521 = phi_3198_;
-                                                                    if _e2521 {
-                                                                        let _e2523 = local_2.group_mask;
-                                                                        let _e2529 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2523)), 32u, (_e2523 == 0u)));
-                                                                        let _e2533 = local_2.group_mask;
-                                                                        let _e2547 = local_2.group_mask;
-                                                                        local_2.group_mask = (_e2547 & ~((1u << bitcast<u32>((_e2529 & 31u)))));
-                                                                        let _e2550 = local_2.group;
-                                                                        phi_3229_ = (_e2550 + countOneBits(((_e2533 & ~((4294967295u << bitcast<u32>((((_e2529 - 24u) ^ _e1343) & 31u))))) & 255u)));
+                                                                    let _e2623 = phi_3251_;
+                                                                    if _e2623 {
+                                                                        let _e2625 = local_1.group_mask;
+                                                                        let _e2631 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2625)), 32u, (_e2625 == 0u)));
+                                                                        let _e2635 = local_1.group_mask;
+                                                                        let _e2649 = local_1.group_mask;
+                                                                        local_1.group_mask = (_e2649 & ~((1u << bitcast<u32>((_e2631 & 31u)))));
+                                                                        let _e2652 = local_1.group;
+                                                                        phi_3282_ = (_e2652 + countOneBits(((_e2635 & ~((4294967295u << bitcast<u32>((((_e2631 - 24u) ^ _e1408) & 31u))))) & 255u)));
                                                                     } else {
-                                                                        phi_3229_ = 4294967295u;
+                                                                        phi_3282_ = 4294967295u;
                                                                     }
-                                                                    let _e2553 = phi_3229_;
-                                                                    phi_3230_ = _e2553;
-                                                                    phi_3231_ = false;
-                                                                    phi_3232_ = false;
+                                                                    let _e2655 = phi_3282_;
+                                                                    phi_3283_ = _e2655;
+                                                                    phi_3284_ = false;
+                                                                    phi_3285_ = false;
                                                                 } else {
-                                                                    phi_3230_ = u32();
-                                                                    let _e2927 = local_15;
-                                                                    phi_3231_ = _e2927;
-                                                                    let _e2930 = local_16;
-                                                                    phi_3232_ = _e2930;
+                                                                    phi_3283_ = u32();
+                                                                    let _e3039 = local_14;
+                                                                    phi_3284_ = _e3039;
+                                                                    let _e3042 = local_15;
+                                                                    phi_3285_ = _e3042;
                                                                 }
-                                                                let _e2555 = phi_3230_;
-                                                                let _e2557 = phi_3231_;
-                                                                let _e2559 = phi_3232_;
-                                                                phi_2139_ = _e2555;
-                                                                let _e2934 = local_17;
-                                                                phi_3233_ = _e2934;
-                                                                phi_3234_ = false;
-                                                                phi_3235_ = _e2557;
-                                                                phi_3236_ = _e2559;
+                                                                let _e2657 = phi_3283_;
+                                                                let _e2659 = phi_3284_;
+                                                                let _e2661 = phi_3285_;
+                                                                phi_2162_ = _e2657;
+                                                                let _e3046 = local_16;
+                                                                phi_3286_ = _e3046;
+                                                                phi_3287_ = false;
+                                                                phi_3288_ = _e2659;
+                                                                phi_3289_ = _e2661;
                                                             } else {
-                                                                phi_2139_ = u32();
-                                                                phi_3233_ = false;
-                                                                phi_3234_ = true;
-                                                                phi_3235_ = false;
-                                                                phi_3236_ = false;
+                                                                phi_2162_ = u32();
+                                                                phi_3286_ = false;
+                                                                phi_3287_ = true;
+                                                                phi_3288_ = false;
+                                                                phi_3289_ = false;
                                                             }
-                                                            let _e2561 = phi_2139_;
-                                                            let _e2563 = phi_3233_;
-                                                            let _e2565 = phi_3234_;
-                                                            let _e2567 = phi_3235_;
-                                                            let _e2569 = phi_3236_;
-                                                            local_12 = _e2565;
-                                                            local_18 = _e2567;
-                                                            local_19 = _e2569;
+                                                            let _e2663 = phi_2162_;
+                                                            let _e2665 = phi_3286_;
+                                                            let _e2667 = phi_3287_;
+                                                            let _e2669 = phi_3288_;
+                                                            let _e2671 = phi_3289_;
+                                                            local_11 = _e2667;
+                                                            local_17 = _e2669;
+                                                            local_18 = _e2671;
                                                             continue;
                                                             continuing {
-                                                                phi_2138_ = _e2561;
-                                                                break if !(_e2563);
+                                                                phi_2161_ = _e2663;
+                                                                break if !(_e2665);
                                                             }
                                                         }
-                                                        let _e2572 = local_12;
-                                                        if _e2572 {
-                                                            phi_3240_ = false;
-                                                            phi_3241_ = false;
+                                                        let _e2674 = local_11;
+                                                        if _e2674 {
+                                                            phi_3293_ = false;
+                                                            phi_3294_ = false;
                                                         } else {
-                                                            let _e2941 = local_18;
-                                                            phi_3240_ = _e2941;
-                                                            let _e2944 = local_19;
-                                                            phi_3241_ = _e2944;
+                                                            let _e3053 = local_17;
+                                                            phi_3293_ = _e3053;
+                                                            let _e3056 = local_18;
+                                                            phi_3294_ = _e3056;
                                                         }
-                                                        let _e2574 = phi_3240_;
-                                                        let _e2576 = phi_3241_;
-                                                        if _e2574 {
-                                                            phi_3245_ = true;
+                                                        let _e2676 = phi_3293_;
+                                                        let _e2678 = phi_3294_;
+                                                        if _e2676 {
+                                                            phi_3298_ = true;
                                                         } else {
-                                                            phi_3245_ = _e2576;
+                                                            phi_3298_ = _e2678;
                                                         }
-                                                        let _e2578 = phi_3245_;
-                                                        if _e2578 {
-                                                            phi_3249_ = true;
+                                                        let _e2680 = phi_3298_;
+                                                        if _e2680 {
+                                                            phi_3302_ = true;
                                                         } else {
-                                                            phi_3249_ = false;
+                                                            phi_3302_ = false;
                                                         }
-                                                        let _e2580 = phi_3249_;
-                                                        phi_3250_ = _e2580;
+                                                        let _e2682 = phi_3302_;
+                                                        phi_3303_ = _e2682;
                                                     }
-                                                    let _e2582 = phi_3250_;
-                                                    phi_3251_ = _e2582;
-                                                    phi_3252_ = _e1169;
+                                                    let _e2684 = phi_3303_;
+                                                    phi_3304_ = _e2684;
+                                                    phi_3305_ = _e1234;
                                                 } else {
-                                                    phi_3251_ = bool();
-                                                    phi_3252_ = true;
+                                                    phi_3304_ = bool();
+                                                    phi_3305_ = true;
                                                 }
-                                                let _e2584 = phi_3251_;
-                                                let _e2586 = phi_3252_;
-                                                if _e2586 {
-                                                    phi_3256_ = false;
+                                                let _e2686 = phi_3304_;
+                                                let _e2688 = phi_3305_;
+                                                if _e2688 {
+                                                    phi_3309_ = false;
                                                 } else {
-                                                    phi_3256_ = _e2584;
+                                                    phi_3309_ = _e2686;
                                                 }
-                                                let _e2588 = phi_3256_;
-                                                if _e2588 {
-                                                    phi_3260_ = false;
+                                                let _e2690 = phi_3309_;
+                                                if _e2690 {
+                                                    phi_3313_ = false;
                                                 } else {
-                                                    phi_3260_ = true;
+                                                    phi_3313_ = true;
                                                 }
-                                                let _e2590 = phi_3260_;
-                                                phi_3261_ = _e2590;
+                                                let _e2692 = phi_3313_;
+                                                phi_3314_ = _e2692;
                                             } else {
-                                                phi_3261_ = true;
+                                                phi_3314_ = true;
                                             }
-                                            let _e2592 = phi_3261_;
-                                            phi_3262_ = _e2592;
+                                            let _e2694 = phi_3314_;
+                                            phi_3315_ = _e2694;
                                         } else {
-                                            phi_3262_ = true;
+                                            phi_3315_ = true;
                                         }
-                                        let _e2594 = phi_3262_;
-                                        phi_3263_ = _e2594;
+                                        let _e2696 = phi_3315_;
+                                        phi_3316_ = _e2696;
                                     } else {
-                                        phi_3263_ = true;
+                                        phi_3316_ = true;
                                     }
-                                    let _e2596 = phi_3263_;
-                                    if _e2596 {
+                                    let _e2698 = phi_3316_;
+                                    if _e2698 {
                                     }
-                                    phi_1515_ = (_e938 & (_e938 - 1u));
-                                    phi_3267_ = _e2596;
+                                    phi_1556_ = (_e1021 & (_e1021 - 1u));
+                                    phi_3320_ = _e2698;
                                 }
-                                let _e2598 = phi_1515_;
-                                let _e2600 = phi_3267_;
+                                let _e2700 = phi_1556_;
+                                let _e2702 = phi_3320_;
                                 continue;
                                 continuing {
-                                    phi_1514_ = _e2598;
-                                    break if !(_e2600);
+                                    phi_1555_ = _e2700;
+                                    break if !(_e2702);
                                 }
                             }
-                            let _e2603 = local_13;
-                            if _e2603 {
-                                let _e2605 = local_3.group_mask;
-                                if ((_e2605 & 4278190080u) == 0u) {
-                                    let _e2609 = local_3.len;
-                                    if (_e2609 == 0u) {
-                                        phi_3309_ = false;
+                            let _e2705 = local_12;
+                            if _e2705 {
+                                let _e2707 = local_2.group_mask;
+                                if ((_e2707 & 4278190080u) == 0u) {
+                                    let _e2711 = local_2.len;
+                                    if (_e2711 == 0u) {
+                                        phi_3362_ = false;
                                     } else {
-                                        let _e2613 = local_3.len;
-                                        local_3.len = (_e2613 - 1u);
-                                        let _e2616 = local_3.len;
-                                        if (_e2616 < 32u) {
+                                        let _e2715 = local_2.len;
+                                        local_2.len = (_e2715 - 1u);
+                                        let _e2718 = local_2.len;
+                                        if (_e2718 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2621 = local_3.first[(0u + _e2616)];
-                                        local_3.group = _e2621;
-                                        let _e2624 = local_3.len;
-                                        if (_e2624 < 32u) {
+                                        let _e2723 = local_2.first[(0u + _e2718)];
+                                        local_2.group = _e2723;
+                                        let _e2726 = local_2.len;
+                                        if (_e2726 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2629 = local_3.mask[(0u + _e2624)];
-                                        local_3.group_mask = _e2629;
-                                        phi_3309_ = true;
+                                        let _e2731 = local_2.mask[(0u + _e2726)];
+                                        local_2.group_mask = _e2731;
+                                        phi_3362_ = true;
                                     }
-                                    let _e2632 = phi_3309_;
-                                    phi_3310_ = _e2632;
+                                    let _e2734 = phi_3362_;
+                                    phi_3363_ = _e2734;
                                 } else {
-                                    phi_3310_ = true;
+                                    phi_3363_ = true;
                                 }
-                                let _e2634 = phi_3310_;
-                                if _e2634 {
-                                    let _e2636 = local_3.group_mask;
-                                    let _e2642 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2636)), 32u, (_e2636 == 0u)));
-                                    let _e2646 = local_3.group_mask;
-                                    let _e2660 = local_3.group_mask;
-                                    local_3.group_mask = (_e2660 & ~((1u << bitcast<u32>((_e2642 & 31u)))));
-                                    let _e2663 = local_3.group;
-                                    phi_3341_ = (_e2663 + countOneBits(((_e2646 & ~((4294967295u << bitcast<u32>((((_e2642 - 24u) ^ _e359) & 31u))))) & 255u)));
+                                let _e2736 = phi_3363_;
+                                if _e2736 {
+                                    let _e2738 = local_2.group_mask;
+                                    let _e2744 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2738)), 32u, (_e2738 == 0u)));
+                                    let _e2748 = local_2.group_mask;
+                                    let _e2762 = local_2.group_mask;
+                                    local_2.group_mask = (_e2762 & ~((1u << bitcast<u32>((_e2744 & 31u)))));
+                                    let _e2765 = local_2.group;
+                                    phi_3394_ = (_e2765 + countOneBits(((_e2748 & ~((4294967295u << bitcast<u32>((((_e2744 - 24u) ^ _e447) & 31u))))) & 255u)));
                                 } else {
-                                    phi_3341_ = 4294967295u;
+                                    phi_3394_ = 4294967295u;
                                 }
-                                let _e2666 = phi_3341_;
-                                phi_3342_ = _e2666;
+                                let _e2768 = phi_3394_;
+                                phi_3395_ = _e2768;
                             } else {
-                                phi_3342_ = u32();
+                                phi_3395_ = u32();
                             }
-                            let _e2668 = phi_3342_;
-                            phi_1180_ = _e2668;
-                            let _e2965 = local_20;
-                            phi_3343_ = _e2965;
-                            phi_3344_ = false;
+                            let _e2770 = phi_3395_;
+                            phi_1226_ = _e2770;
+                            let _e3077 = local_19;
+                            phi_3396_ = _e3077;
+                            phi_3397_ = false;
                         } else {
-                            phi_1180_ = u32();
-                            phi_3343_ = false;
-                            phi_3344_ = true;
+                            phi_1226_ = u32();
+                            phi_3396_ = false;
+                            phi_3397_ = true;
                         }
-                        let _e2670 = phi_1180_;
-                        let _e2672 = phi_3343_;
-                        let _e2674 = phi_3344_;
-                        local_14 = _e2674;
+                        let _e2772 = phi_1226_;
+                        let _e2774 = phi_3396_;
+                        let _e2776 = phi_3397_;
+                        local_13 = _e2776;
                         continue;
                         continuing {
-                            phi_1179_ = _e2670;
-                            break if !(_e2672);
+                            phi_1225_ = _e2772;
+                            break if !(_e2774);
                         }
                     }
-                    let _e2677 = local_14;
-                    if _e2677 {
-                        phi_3348_ = false;
+                    let _e2779 = local_13;
+                    if _e2779 {
+                        phi_3401_ = false;
                     } else {
-                        phi_3348_ = true;
+                        phi_3401_ = true;
                     }
-                    let _e2679 = phi_3348_;
-                    if _e2679 {
-                        phi_3352_ = true;
+                    let _e2781 = phi_3401_;
+                    if _e2781 {
+                        phi_3405_ = true;
                     } else {
-                        phi_3352_ = false;
+                        phi_3405_ = false;
                     }
-                    let _e2681 = phi_3352_;
-                    phi_3353_ = _e2681;
+                    let _e2783 = phi_3405_;
+                    phi_3406_ = _e2783;
                 }
-                let _e2683 = phi_3353_;
-                phi_3354_ = _e2683;
-                phi_3355_ = _e196;
+                let _e2785 = phi_3406_;
+                phi_3407_ = _e2785;
+                phi_3408_ = _e303;
             } else {
-                phi_3354_ = bool();
-                phi_3355_ = true;
+                phi_3407_ = bool();
+                phi_3408_ = true;
             }
-            let _e2685 = phi_3354_;
-            let _e2687 = phi_3355_;
-            if _e2687 {
-                phi_3359_ = false;
+            let _e2787 = phi_3407_;
+            let _e2789 = phi_3408_;
+            if _e2789 {
+                phi_3412_ = false;
             } else {
-                phi_3359_ = _e2685;
+                phi_3412_ = _e2787;
             }
-            let _e2689 = phi_3359_;
-            if _e2689 {
-                phi_3363_ = 0f;
+            let _e2791 = phi_3412_;
+            if _e2791 {
+                phi_3416_ = 0f;
             } else {
-                phi_3363_ = 1f;
+                phi_3416_ = 1f;
             }
-            let _e2691 = phi_3363_;
-            phi_3364_ = _e2691;
+            let _e2793 = phi_3416_;
+            phi_3417_ = _e2793;
         }
-        let _e2693 = phi_3364_;
-        if (_e100.first_primitive < arrayLength((&visibility.member))) {
+        let _e2795 = phi_3417_;
+        if (_e103.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e100.first_primitive)] = _e2693;
+        visibility.member[(0u + _e103.first_primitive)] = _e2795;
     }
     return;
 }

@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -28,11 +20,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -47,11 +47,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -75,11 +75,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_42 {
+struct type_38 {
     member: array<abi_Sample>,
 }
 
-struct type_46 {
+struct type_42 {
     member: array<f32>,
 }
 
@@ -104,15 +104,8 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_54 {
+struct type_50 {
     member: array<lt_bvh_Node>,
-}
-
-struct lt_bvh_Ray {
-    origin: vec3<f32>,
-    tmin: f32,
-    direction: vec3<f32>,
-    tmax: f32,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -140,1662 +133,1887 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_60 {
+struct type_56 {
     member: abi_ShadowParams,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_42;
+var<storage> samples: type_38;
 @group(0) @binding(0) 
-var<uniform> p: type_60;
+var<uniform> p: type_56;
 @group(0) @binding(2) 
-var<storage> nodes: type_54;
+var<storage> nodes: type_50;
 @group(0) @binding(3) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_46;
+var<storage, read_write> visibility: type_42;
 @group(0) @binding(5) 
-var<storage> list: type_22;
+var<storage> list: type_20;
 @group(0) @binding(6) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(7) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 @group(0) @binding(8) 
-var<storage> alpha_texels: type_22;
+var<storage> alpha_texels: type_20;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e75 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e75), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e75), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e75), (f32((param >> bitcast<u32>(24i))) * _e75));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_222_: f32;
+    var phi_227_: f32;
+    var phi_228_: bool;
+    var phi_229_: f32;
+    var phi_230_: bool;
+    var phi_234_: f32;
+    var phi_260_: f32;
+    var phi_265_: f32;
+    var phi_266_: bool;
+    var phi_267_: f32;
+    var phi_268_: bool;
+    var phi_272_: f32;
+    var phi_280_: f32;
+    var phi_281_: f32;
+    var phi_282_: f32;
+    var phi_291_: f32;
+    var phi_292_: f32;
+    var phi_310_: u32;
+    var phi_324_: u32;
+    var phi_331_: u32;
+    var phi_336_: u32;
+    var phi_342_: u32;
+    var phi_347_: u32;
+    var phi_349_: texture_Axis;
+    var phi_377_: f32;
+    var phi_382_: f32;
+    var phi_383_: bool;
+    var phi_384_: f32;
+    var phi_385_: bool;
+    var phi_389_: f32;
+    var phi_415_: f32;
+    var phi_420_: f32;
+    var phi_421_: bool;
+    var phi_422_: f32;
+    var phi_423_: bool;
+    var phi_427_: f32;
+    var phi_435_: f32;
+    var phi_436_: f32;
+    var phi_437_: f32;
+    var phi_446_: f32;
+    var phi_447_: f32;
+    var phi_465_: u32;
+    var phi_479_: u32;
+    var phi_486_: u32;
+    var phi_491_: u32;
+    var phi_497_: u32;
+    var phi_502_: u32;
+    var phi_504_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e65 = (*param_1)[0u].color;
-    let _e66 = lt_shaders_texture_unorm_bytes(_e65);
-    let _e78 = (*param_1)[1u].color;
-    let _e79 = lt_shaders_texture_unorm_bytes(_e78);
-    let _e95 = (*param_1)[2u].color;
-    let _e96 = lt_shaders_texture_unorm_bytes(_e95);
-    return vec4<f32>((((_e66.x * param_2.x) + (_e79.x * param_2.y)) + (_e96.x * param_2.z)), (((_e66.y * param_2.x) + (_e79.y * param_2.y)) + (_e96.y * param_2.z)), (((_e66.z * param_2.x) + (_e79.z * param_2.y)) + (_e96.z * param_2.z)), (((_e66.w * param_2.x) + (_e79.w * param_2.y)) + (_e96.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e65 = (*param_3)[0u].u;
-    let _e68 = (*param_3)[0u].v;
-    let _e74 = (*param_3)[1u].u;
-    let _e77 = (*param_3)[1u].v;
-    let _e85 = (*param_3)[2u].u;
-    let _e88 = (*param_3)[2u].v;
-    return vec2<f32>((((_e65 * param_4.x) + (_e74 * param_4.y)) + (_e85 * param_4.z)), (((_e68 * param_4.x) + (_e77 * param_4.y)) + (_e88 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_456_: f32;
-    var phi_457_: f32;
-    var phi_458_: f32;
-    var phi_467_: f32;
-    var phi_468_: f32;
-
-    if (param_6 == 0u) {
-        phi_458_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e70 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e70 > 1f) {
-                phi_456_ = (2f - _e70);
+    let _e70 = (*param).size;
+    let _e71 = (_e70 & 65535u);
+    let _e73 = (*param).size;
+    let _e75 = (_e73 >> bitcast<u32>(16i));
+    let _e77 = (*param).flags;
+    let _e79 = ((_e77 & 4u) != 0u);
+    let _e81 = (*param).flags;
+    let _e84 = ((_e81 >> bitcast<u32>(4u)) & 3u);
+    if (_e84 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e97 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e97 > param_1) {
+                phi_222_ = 1f;
             } else {
-                phi_456_ = _e70;
+                phi_222_ = 0f;
             }
-            let _e74 = phi_456_;
-            phi_457_ = _e74;
+            let _e100 = phi_222_;
+            if (param_1 < 8388608f) {
+                phi_227_ = (_e97 - _e100);
+                phi_228_ = false;
+            } else {
+                phi_227_ = f32();
+                phi_228_ = true;
+            }
+            let _e103 = phi_227_;
+            let _e105 = phi_228_;
+            phi_229_ = _e103;
+            phi_230_ = _e105;
         } else {
-            phi_457_ = param_5;
+            phi_229_ = f32();
+            phi_230_ = true;
         }
-        let _e76 = phi_457_;
-        phi_458_ = _e76;
-    }
-    let _e78 = phi_458_;
-    if (_e78 > 0f) {
-        if (_e78 < 1f) {
-            phi_467_ = _e78;
+        let _e107 = phi_229_;
+        let _e109 = phi_230_;
+        if _e109 {
+            phi_234_ = param_1;
         } else {
-            phi_467_ = 1f;
+            phi_234_ = _e107;
         }
-        let _e82 = phi_467_;
-        phi_468_ = _e82;
+        let _e111 = phi_234_;
+        phi_282_ = (param_1 - _e111);
     } else {
-        phi_468_ = 0f;
-    }
-    let _e84 = phi_468_;
-    return _e84;
-}
-
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_394_: u32;
-    var phi_408_: u32;
-    var phi_415_: u32;
-    var phi_420_: u32;
-    var phi_426_: u32;
-    var phi_431_: u32;
-    var phi_433_: texture_Axis;
-
-    let _e65 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e66 = (param_8 - 1u);
-    let _e68 = (_e65 * f32(param_8));
-    if param_10 {
-        let _e75 = select(select(u32(_e68), 0u, (_e68 < bitcast<f32>(0u))), 4294967295u, (_e68 > bitcast<f32>(1333788671u)));
-        if (_e66 < _e75) {
-            phi_394_ = _e66;
+        if (_e84 == 1u) {
+            let _e114 = (param_1 * 0.5f);
+            if (_e114 > -8388608f) {
+                let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
+                if (_e126 > _e114) {
+                    phi_260_ = 1f;
+                } else {
+                    phi_260_ = 0f;
+                }
+                let _e129 = phi_260_;
+                if (_e114 < 8388608f) {
+                    phi_265_ = (_e126 - _e129);
+                    phi_266_ = false;
+                } else {
+                    phi_265_ = f32();
+                    phi_266_ = true;
+                }
+                let _e132 = phi_265_;
+                let _e134 = phi_266_;
+                phi_267_ = _e132;
+                phi_268_ = _e134;
+            } else {
+                phi_267_ = f32();
+                phi_268_ = true;
+            }
+            let _e136 = phi_267_;
+            let _e138 = phi_268_;
+            if _e138 {
+                phi_272_ = _e114;
+            } else {
+                phi_272_ = _e136;
+            }
+            let _e140 = phi_272_;
+            let _e142 = (param_1 - (2f * _e140));
+            if (_e142 > 1f) {
+                phi_280_ = (2f - _e142);
+            } else {
+                phi_280_ = _e142;
+            }
+            let _e146 = phi_280_;
+            phi_281_ = _e146;
         } else {
-            phi_394_ = _e75;
+            phi_281_ = param_1;
         }
-        let _e78 = phi_394_;
-        phi_433_ = texture_Axis(_e78, _e78, 0f);
+        let _e148 = phi_281_;
+        phi_282_ = _e148;
+    }
+    let _e150 = phi_282_;
+    if (_e150 > 0f) {
+        if (_e150 < 1f) {
+            phi_291_ = _e150;
+        } else {
+            phi_291_ = 1f;
+        }
+        let _e154 = phi_291_;
+        phi_292_ = _e154;
     } else {
-        let _e80 = (_e68 + 0.5f);
-        let _e87 = select(select(u32(_e80), 0u, (_e80 < bitcast<f32>(0u))), 4294967295u, (_e80 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e87) {
-            phi_408_ = param_8;
-        } else {
-            phi_408_ = _e87;
-        }
-        let _e90 = phi_408_;
-        if (param_9 == 0u) {
-            phi_415_ = _e66;
-        } else {
-            phi_415_ = 0u;
-        }
-        let _e95 = phi_415_;
-        if (param_9 == 0u) {
-            phi_420_ = 0u;
-        } else {
-            phi_420_ = _e66;
-        }
-        let _e98 = phi_420_;
-        if (_e90 == 0u) {
-            phi_426_ = _e95;
-        } else {
-            phi_426_ = (_e90 - 1u);
-        }
-        let _e102 = phi_426_;
-        if (_e90 > _e66) {
-            phi_431_ = _e98;
-        } else {
-            phi_431_ = _e90;
-        }
-        let _e105 = phi_431_;
-        phi_433_ = texture_Axis(_e102, _e105, (_e80 - f32(_e90)));
+        phi_292_ = 0f;
     }
-    let _e108 = phi_433_;
-    return _e108;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e65 = (*param_11).size;
-    let _e66 = (_e65 & 65535u);
-    let _e68 = (*param_11).size;
-    let _e72 = (*param_11).flags;
-    let _e74 = ((_e72 & 4u) != 0u);
-    let _e76 = (*param_11).flags;
-    let _e80 = lt_shaders_texture_axis(param_12, _e66, ((_e76 >> bitcast<u32>(4u)) & 3u), _e74);
-    let _e82 = (*param_11).flags;
-    let _e86 = lt_shaders_texture_axis(param_13, (_e68 >> bitcast<u32>(16i)), ((_e82 >> bitcast<u32>(6u)) & 3u), _e74);
-    let _e90 = (*param_11).offset;
-    let _e97 = (*param_11).offset;
-    let _e104 = (*param_11).offset;
-    let _e111 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e90 + (_e86.low * _e66)) + _e80.low), ((_e97 + (_e86.low * _e66)) + _e80.high), ((_e104 + (_e86.high * _e66)) + _e80.low), ((_e111 + (_e86.high * _e66)) + _e80.high)), vec4<f32>(((1f - _e80.fraction) * (1f - _e86.fraction)), (_e80.fraction * (1f - _e86.fraction)), ((1f - _e80.fraction) * _e86.fraction), (_e80.fraction * _e86.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_14: f32, param_15: f32) -> f32 {
-    var phi_480_: bool;
-    var phi_484_: f32;
-
-    if (param_14 != param_14) {
-        phi_480_ = true;
+    let _e156 = phi_292_;
+    let _e157 = (_e71 - 1u);
+    let _e159 = (_e156 * f32(_e71));
+    if _e79 {
+        let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
+        if (_e157 < _e166) {
+            phi_310_ = _e157;
+        } else {
+            phi_310_ = _e166;
+        }
+        let _e169 = phi_310_;
+        phi_349_ = texture_Axis(_e169, _e169, 0f);
     } else {
-        let _e64 = (param_15 >= param_14);
-        if _e64 {
+        let _e171 = (_e159 + 0.5f);
+        let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
+        if (_e71 < _e178) {
+            phi_324_ = _e71;
+        } else {
+            phi_324_ = _e178;
         }
-        phi_480_ = _e64;
-    }
-    let _e66 = phi_480_;
-    if _e66 {
-        phi_484_ = param_15;
-    } else {
-        phi_484_ = param_14;
-    }
-    let _e68 = phi_484_;
-    return _e68;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_16: f32, param_17: f32) -> f32 {
-    var phi_496_: bool;
-    var phi_500_: f32;
-
-    if (param_16 != param_16) {
-        phi_496_ = true;
-    } else {
-        let _e64 = (param_17 <= param_16);
-        if _e64 {
+        let _e181 = phi_324_;
+        if (_e84 == 0u) {
+            phi_331_ = _e157;
+        } else {
+            phi_331_ = 0u;
         }
-        phi_496_ = _e64;
+        let _e186 = phi_331_;
+        if (_e84 == 0u) {
+            phi_336_ = 0u;
+        } else {
+            phi_336_ = _e157;
+        }
+        let _e189 = phi_336_;
+        if (_e181 == 0u) {
+            phi_342_ = _e186;
+        } else {
+            phi_342_ = (_e181 - 1u);
+        }
+        let _e193 = phi_342_;
+        if (_e181 > _e157) {
+            phi_347_ = _e189;
+        } else {
+            phi_347_ = _e181;
+        }
+        let _e196 = phi_347_;
+        phi_349_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e66 = phi_496_;
-    if _e66 {
-        phi_500_ = param_17;
+    let _e199 = phi_349_;
+    let _e201 = (*param).flags;
+    let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
+    if (_e204 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e217 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e217 > param_2) {
+                phi_377_ = 1f;
+            } else {
+                phi_377_ = 0f;
+            }
+            let _e220 = phi_377_;
+            if (param_2 < 8388608f) {
+                phi_382_ = (_e217 - _e220);
+                phi_383_ = false;
+            } else {
+                phi_382_ = f32();
+                phi_383_ = true;
+            }
+            let _e223 = phi_382_;
+            let _e225 = phi_383_;
+            phi_384_ = _e223;
+            phi_385_ = _e225;
+        } else {
+            phi_384_ = f32();
+            phi_385_ = true;
+        }
+        let _e227 = phi_384_;
+        let _e229 = phi_385_;
+        if _e229 {
+            phi_389_ = param_2;
+        } else {
+            phi_389_ = _e227;
+        }
+        let _e231 = phi_389_;
+        phi_437_ = (param_2 - _e231);
     } else {
-        phi_500_ = param_16;
+        if (_e204 == 1u) {
+            let _e234 = (param_2 * 0.5f);
+            if (_e234 > -8388608f) {
+                let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
+                if (_e246 > _e234) {
+                    phi_415_ = 1f;
+                } else {
+                    phi_415_ = 0f;
+                }
+                let _e249 = phi_415_;
+                if (_e234 < 8388608f) {
+                    phi_420_ = (_e246 - _e249);
+                    phi_421_ = false;
+                } else {
+                    phi_420_ = f32();
+                    phi_421_ = true;
+                }
+                let _e252 = phi_420_;
+                let _e254 = phi_421_;
+                phi_422_ = _e252;
+                phi_423_ = _e254;
+            } else {
+                phi_422_ = f32();
+                phi_423_ = true;
+            }
+            let _e256 = phi_422_;
+            let _e258 = phi_423_;
+            if _e258 {
+                phi_427_ = _e234;
+            } else {
+                phi_427_ = _e256;
+            }
+            let _e260 = phi_427_;
+            let _e262 = (param_2 - (2f * _e260));
+            if (_e262 > 1f) {
+                phi_435_ = (2f - _e262);
+            } else {
+                phi_435_ = _e262;
+            }
+            let _e266 = phi_435_;
+            phi_436_ = _e266;
+        } else {
+            phi_436_ = param_2;
+        }
+        let _e268 = phi_436_;
+        phi_437_ = _e268;
     }
-    let _e68 = phi_500_;
-    return _e68;
+    let _e270 = phi_437_;
+    if (_e270 > 0f) {
+        if (_e270 < 1f) {
+            phi_446_ = _e270;
+        } else {
+            phi_446_ = 1f;
+        }
+        let _e274 = phi_446_;
+        phi_447_ = _e274;
+    } else {
+        phi_447_ = 0f;
+    }
+    let _e276 = phi_447_;
+    let _e277 = (_e75 - 1u);
+    let _e279 = (_e276 * f32(_e75));
+    if _e79 {
+        let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
+        if (_e277 < _e286) {
+            phi_465_ = _e277;
+        } else {
+            phi_465_ = _e286;
+        }
+        let _e289 = phi_465_;
+        phi_504_ = texture_Axis(_e289, _e289, 0f);
+    } else {
+        let _e291 = (_e279 + 0.5f);
+        let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
+        if (_e75 < _e298) {
+            phi_479_ = _e75;
+        } else {
+            phi_479_ = _e298;
+        }
+        let _e301 = phi_479_;
+        if (_e204 == 0u) {
+            phi_486_ = _e277;
+        } else {
+            phi_486_ = 0u;
+        }
+        let _e306 = phi_486_;
+        if (_e204 == 0u) {
+            phi_491_ = 0u;
+        } else {
+            phi_491_ = _e277;
+        }
+        let _e309 = phi_491_;
+        if (_e301 == 0u) {
+            phi_497_ = _e306;
+        } else {
+            phi_497_ = (_e301 - 1u);
+        }
+        let _e313 = phi_497_;
+        if (_e301 > _e277) {
+            phi_502_ = _e309;
+        } else {
+            phi_502_ = _e301;
+        }
+        let _e316 = phi_502_;
+        phi_504_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+    }
+    let _e319 = phi_504_;
+    let _e323 = (*param).offset;
+    let _e330 = (*param).offset;
+    let _e337 = (*param).offset;
+    let _e344 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e323 + (_e319.low * _e71)) + _e199.low), ((_e330 + (_e319.low * _e71)) + _e199.high), ((_e337 + (_e319.high * _e71)) + _e199.low), ((_e344 + (_e319.high * _e71)) + _e199.high)), vec4<f32>(((1f - _e199.fraction) * (1f - _e319.fraction)), (_e199.fraction * (1f - _e319.fraction)), ((1f - _e199.fraction) * _e319.fraction), (_e199.fraction * _e319.fraction)));
 }
 
-fn lt_shaders_surface_barycentric_weights(param_18: f32, param_19: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_18) - param_19), param_18, param_19);
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_563_: bool;
+    var phi_567_: f32;
+
+    if (param_3 != param_3) {
+        phi_563_ = true;
+    } else {
+        let _e69 = (param_4 >= param_3);
+        if _e69 {
+        }
+        phi_563_ = _e69;
+    }
+    let _e71 = phi_563_;
+    if _e71 {
+        phi_567_ = param_4;
+    } else {
+        phi_567_ = param_3;
+    }
+    let _e73 = phi_567_;
+    return _e73;
 }
 
-fn lt_shaders_evaluate_to_light(param_20: vec3<f32>, param_21: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_21.x - (param_20.x * param_21.w)), (param_21.y - (param_20.y * param_21.w)), (param_21.z - (param_20.z * param_21.w)));
-}
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_579_: bool;
+    var phi_583_: f32;
 
-fn lt_shaders_doubt_slot_of(param_22: vec3<u32>) -> u32 {
-    return ((param_22.y * 2097152u) + param_22.x);
+    if (param_5 != param_5) {
+        phi_579_ = true;
+    } else {
+        let _e69 = (param_6 <= param_5);
+        if _e69 {
+        }
+        phi_579_ = _e69;
+    }
+    let _e71 = phi_579_;
+    if _e71 {
+        phi_583_ = param_6;
+    } else {
+        phi_583_ = param_5;
+    }
+    let _e73 = phi_583_;
+    return _e73;
 }
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<abi_Vertex, 3>;
-    var local_2: lt_bvh_traverse_Stack;
-    var phi_619_: f32;
-    var phi_668_: bool;
-    var phi_669_: bool;
-    var phi_670_: bool;
-    var phi_674_: bool;
-    var phi_675_: bool;
-    var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_678_: bool;
-    var phi_679_: bool;
-    var phi_680_: bool;
-    var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_683_: bool;
-    var phi_684_: bool;
-    var phi_685_: bool;
-    var phi_686_: bool;
-    var phi_687_: bool;
-    var phi_688_: bool;
-    var phi_689_: bool;
-    var phi_690_: bool;
-    var phi_691_: bool;
-    var phi_695_: bool;
-    var phi_699_: bool;
-    var phi_773_: f32;
-    var phi_780_: f32;
-    var phi_788_: f32;
-    var phi_795_: f32;
-    var phi_803_: f32;
-    var phi_810_: f32;
-    var phi_827_: f32;
-    var phi_832_: f32;
-    var phi_837_: f32;
-    var phi_868_: bool;
-    var phi_869_: bool;
-    var phi_877_: u32;
-    var phi_878_: u32;
-    var phi_895_: vec3<f32>;
-    var phi_896_: vec3<f32>;
-    var phi_909_: u32;
-    var phi_914_: u32;
-    var phi_919_: u32;
-    var phi_1033_: bool;
-    var phi_1034_: bool;
-    var phi_1065_: u32;
-    var phi_1067_: u32;
-    var phi_1148_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1175_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1202_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1208_: u32;
-    var phi_1211_: u32;
-    var phi_1225_: u32;
-    var phi_1235_: u32;
-    var phi_1245_: u32;
-    var phi_1263_: u32;
-    var phi_1273_: u32;
-    var phi_1283_: u32;
-    var phi_1319_: u32;
-    var phi_1332_: u32;
-    var phi_1337_: u32;
-    var phi_1338_: u32;
-    var phi_1339_: u32;
-    var phi_1209_: u32;
-    var phi_1212_: u32;
+    var local_1: lt_bvh_traverse_Stack;
+    var phi_673_: f32;
+    var phi_728_: bool;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_734_: bool;
+    var phi_735_: bool;
+    var phi_736_: bool;
+    var phi_737_: bool;
+    var phi_738_: bool;
+    var phi_739_: bool;
+    var phi_740_: bool;
+    var phi_741_: bool;
+    var phi_742_: bool;
+    var phi_743_: bool;
+    var phi_744_: bool;
+    var phi_745_: bool;
+    var phi_746_: bool;
+    var phi_747_: bool;
+    var phi_748_: bool;
+    var phi_749_: bool;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_755_: bool;
+    var phi_759_: bool;
+    var phi_829_: f32;
+    var phi_836_: f32;
+    var phi_843_: f32;
+    var phi_850_: f32;
+    var phi_857_: f32;
+    var phi_864_: f32;
+    var phi_881_: f32;
+    var phi_886_: f32;
+    var phi_891_: f32;
+    var phi_919_: bool;
+    var phi_920_: bool;
+    var phi_928_: u32;
+    var phi_929_: u32;
+    var phi_940_: vec3<f32>;
+    var phi_941_: vec3<f32>;
+    var phi_954_: u32;
+    var phi_959_: u32;
+    var phi_964_: u32;
+    var phi_1078_: bool;
+    var phi_1079_: bool;
+    var phi_1110_: u32;
+    var phi_1112_: u32;
+    var phi_1193_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1220_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1247_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1253_: u32;
+    var phi_1256_: u32;
+    var phi_1270_: u32;
+    var phi_1280_: u32;
+    var phi_1290_: u32;
+    var phi_1308_: u32;
+    var phi_1318_: u32;
+    var phi_1328_: u32;
+    var phi_1364_: u32;
+    var phi_1377_: u32;
+    var phi_1382_: u32;
+    var phi_1383_: u32;
+    var phi_1384_: u32;
+    var phi_1254_: u32;
+    var phi_1257_: u32;
+    var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var local_5: u32;
-    var phi_1397_: u32;
-    var phi_1442_: vec3<f32>;
-    var phi_1443_: vec3<f32>;
-    var phi_1474_: vec3<f32>;
-    var phi_1475_: vec3<f32>;
-    var phi_1506_: vec3<f32>;
-    var phi_1507_: vec3<f32>;
-    var phi_1527_: bool;
-    var phi_1528_: bool;
-    var phi_1532_: f32;
-    var phi_1533_: f32;
-    var phi_1534_: f32;
-    var phi_1535_: f32;
-    var phi_1543_: f32;
-    var phi_1553_: bool;
-    var phi_1554_: bool;
-    var phi_1558_: f32;
-    var phi_1559_: f32;
-    var phi_1560_: f32;
-    var phi_1561_: f32;
-    var phi_1569_: f32;
-    var phi_1579_: bool;
-    var phi_1580_: bool;
-    var phi_1584_: f32;
-    var phi_1585_: f32;
-    var phi_1586_: f32;
-    var phi_1587_: f32;
-    var phi_1595_: f32;
-    var phi_1610_: f32;
-    var phi_1611_: bool;
-    var phi_1612_: f32;
-    var phi_1613_: bool;
+    var phi_1442_: u32;
+    var phi_1487_: vec3<f32>;
+    var phi_1488_: vec3<f32>;
+    var phi_1519_: vec3<f32>;
+    var phi_1520_: vec3<f32>;
+    var phi_1551_: vec3<f32>;
+    var phi_1552_: vec3<f32>;
+    var phi_1572_: bool;
+    var phi_1573_: bool;
+    var phi_1577_: f32;
+    var phi_1578_: f32;
+    var phi_1579_: f32;
+    var phi_1580_: f32;
+    var phi_1588_: f32;
+    var phi_1598_: bool;
+    var phi_1599_: bool;
+    var phi_1603_: f32;
+    var phi_1604_: f32;
+    var phi_1605_: f32;
+    var phi_1606_: f32;
     var phi_1614_: f32;
-    var phi_1615_: bool;
-    var phi_1633_: f32;
-    var phi_1634_: bool;
-    var phi_1635_: bool;
-    var phi_1636_: f32;
-    var phi_1637_: bool;
-    var phi_1638_: bool;
-    var phi_1642_: bool;
-    var phi_1643_: f32;
-    var phi_1644_: bool;
-    var phi_1670_: f32;
-    var phi_1679_: f32;
+    var phi_1624_: bool;
+    var phi_1625_: bool;
+    var phi_1629_: f32;
+    var phi_1630_: f32;
+    var phi_1631_: f32;
+    var phi_1632_: f32;
+    var phi_1640_: f32;
+    var phi_1655_: f32;
+    var phi_1656_: bool;
+    var phi_1657_: f32;
+    var phi_1658_: bool;
+    var phi_1659_: f32;
+    var phi_1660_: bool;
+    var phi_1678_: f32;
+    var phi_1679_: bool;
+    var phi_1680_: bool;
+    var phi_1681_: f32;
+    var phi_1682_: bool;
+    var phi_1683_: bool;
+    var phi_1687_: bool;
     var phi_1688_: f32;
-    var phi_1697_: f32;
-    var phi_1704_: f32;
-    var phi_1711_: f32;
-    var phi_1724_: f32;
-    var phi_1733_: f32;
-    var phi_1742_: f32;
-    var phi_1751_: f32;
-    var phi_1758_: f32;
-    var phi_1765_: f32;
-    var phi_1782_: f32;
-    var phi_1787_: f32;
-    var phi_1792_: f32;
-    var phi_1800_: f32;
-    var phi_1805_: f32;
-    var phi_1810_: f32;
-    var phi_1822_: f32;
-    var phi_1827_: f32;
-    var phi_1832_: f32;
-    var phi_1837_: f32;
-    var phi_1842_: lt_bvh_triangle_Intersection;
-    var phi_1843_: lt_bvh_triangle_Intersection;
-    var phi_1844_: bool;
-    var phi_1848_: lt_bvh_triangle_Intersection;
-    var phi_2057_: f32;
-    var phi_2060_: bool;
-    var phi_2061_: bool;
-    var phi_2065_: bool;
-    var phi_2066_: bool;
-    var phi_2067_: bool;
-    var phi_2068_: bool;
-    var phi_2069_: bool;
-    var phi_2070_: bool;
-    var phi_2071_: bool;
-    var phi_2072_: bool;
-    var phi_2073_: bool;
-    var phi_2074_: bool;
-    var phi_2075_: bool;
-    var phi_2076_: bool;
-    var phi_2080_: bool;
-    var phi_2081_: bool;
-    var phi_1398_: u32;
-    var phi_2082_: bool;
-    var phi_2083_: bool;
-    var phi_2084_: bool;
+    var phi_1689_: bool;
+    var phi_1723_: f32;
+    var phi_1732_: f32;
+    var phi_1741_: f32;
+    var phi_1750_: f32;
+    var phi_1757_: f32;
+    var phi_1764_: f32;
+    var phi_1777_: f32;
+    var phi_1786_: f32;
+    var phi_1795_: f32;
+    var phi_1804_: f32;
+    var phi_1811_: f32;
+    var phi_1818_: f32;
+    var phi_1835_: f32;
+    var phi_1840_: f32;
+    var phi_1845_: f32;
+    var phi_1853_: f32;
+    var phi_1858_: f32;
+    var phi_1863_: f32;
+    var phi_1875_: f32;
+    var phi_1880_: f32;
+    var phi_1885_: f32;
+    var phi_1890_: f32;
+    var phi_1895_: lt_bvh_triangle_Intersection;
+    var phi_1896_: bool;
+    var phi_1897_: lt_bvh_triangle_Intersection;
+    var phi_1898_: bool;
+    var phi_1902_: lt_bvh_triangle_Intersection;
+    var phi_1903_: bool;
+    var phi_1904_: lt_bvh_triangle_Intersection;
+    var phi_1905_: bool;
+    var phi_1906_: bool;
+    var phi_1910_: bool;
+    var phi_1914_: lt_bvh_triangle_Intersection;
+    var phi_2132_: f32;
+    var phi_2135_: bool;
+    var phi_2136_: bool;
+    var phi_2140_: bool;
+    var phi_2141_: bool;
+    var phi_2142_: bool;
+    var phi_2143_: bool;
+    var phi_2144_: bool;
+    var phi_2145_: bool;
+    var phi_2146_: bool;
+    var phi_2147_: bool;
+    var phi_2148_: bool;
+    var phi_2149_: bool;
+    var phi_2150_: bool;
+    var phi_2151_: bool;
+    var phi_2155_: bool;
+    var phi_2156_: bool;
+    var phi_1443_: u32;
+    var phi_2157_: bool;
+    var phi_2158_: bool;
+    var phi_2159_: bool;
+    var local_5: bool;
+    var phi_2201_: bool;
+    var phi_2202_: bool;
+    var phi_2233_: u32;
+    var phi_2234_: u32;
+    var phi_2235_: bool;
+    var phi_2236_: bool;
+    var phi_1113_: u32;
+    var phi_2237_: bool;
+    var phi_2238_: bool;
+    var phi_2239_: bool;
+    var phi_2240_: bool;
     var local_6: bool;
-    var phi_2126_: bool;
-    var phi_2127_: bool;
-    var phi_2158_: u32;
-    var phi_2159_: u32;
-    var phi_2160_: bool;
-    var phi_2161_: bool;
-    var phi_1068_: u32;
-    var phi_2162_: bool;
-    var phi_2163_: bool;
-    var phi_2164_: bool;
-    var phi_2165_: bool;
+    var phi_2244_: bool;
+    var phi_2245_: bool;
+    var phi_2249_: bool;
+    var phi_2253_: bool;
+    var phi_2254_: bool;
+    var phi_2255_: bool;
+    var phi_2256_: bool;
+    var phi_2260_: bool;
+    var phi_2264_: f32;
     var local_7: bool;
-    var phi_2169_: bool;
-    var phi_2170_: bool;
-    var phi_2174_: bool;
-    var phi_2178_: bool;
-    var phi_2179_: bool;
-    var phi_2180_: bool;
-    var phi_2181_: bool;
-    var phi_2185_: bool;
-    var phi_2189_: f32;
     var local_8: bool;
     var local_9: bool;
     var local_10: bool;
     var local_11: bool;
-    var local_12: bool;
 
-    let _e64 = id_1;
-    let _e71 = arrayLength((&nodes.member));
-    let _e74 = arrayLength((&triangles.member));
-    let _e80 = arrayLength((&list.member));
-    let _e83 = arrayLength((&vertices.member));
-    let _e89 = arrayLength((&alpha_texels.member));
-    let _e90 = lt_shaders_doubt_slot_of(_e64);
-    if (3u < _e80) {
+    let _e68 = id_1;
+    let _e75 = arrayLength((&nodes.member));
+    let _e78 = arrayLength((&triangles.member));
+    let _e84 = arrayLength((&list.member));
+    let _e87 = arrayLength((&vertices.member));
+    let _e93 = arrayLength((&alpha_texels.member));
+    let _e97 = ((_e68.y * 2097152u) + _e68.x);
+    if (3u < _e84) {
     } else {
         return;
     }
-    let _e93 = list.member[3u];
-    if (_e90 < _e93) {
-        let _e95 = (_e90 + 4u);
-        if (_e95 < _e80) {
+    let _e100 = list.member[3u];
+    if (_e97 < _e100) {
+        let _e102 = (_e97 + 4u);
+        if (_e102 < _e84) {
         } else {
             return;
         }
-        let _e99 = list.member[(0u + _e95)];
-        if (_e99 < arrayLength((&samples.member))) {
+        let _e106 = list.member[(0u + _e102)];
+        if (_e106 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e104 = p.member.light;
-        let _e106 = samples.member[(0u + _e99)].position;
-        let _e108 = samples.member[(0u + _e99)].normal;
-        let _e110 = samples.member[(0u + _e99)].magnitude;
-        let _e112 = ((8f / 8388608f) * _e110);
-        let _e114 = (_e108.x * _e112);
-        let _e116 = (_e108.y * _e112);
-        let _e118 = (_e108.z * _e112);
-        let _e120 = (_e106.x + _e114);
-        let _e122 = (_e106.y + _e116);
-        let _e124 = (_e106.z + _e118);
-        let _e126 = (_e106 + vec3<f32>(_e114, _e116, _e118));
-        if (_e104.w == 0f) {
-            phi_619_ = 300000000000000000000000000000000000000f;
+        let _e111 = p.member.light;
+        let _e113 = samples.member[(0u + _e106)].position;
+        let _e115 = samples.member[(0u + _e106)].normal;
+        let _e117 = samples.member[(0u + _e106)].magnitude;
+        let _e119 = ((8f / 8388608f) * _e117);
+        let _e127 = (_e113.x + (_e115.x * _e119));
+        let _e129 = (_e113.y + (_e115.y * _e119));
+        let _e131 = (_e113.z + (_e115.z * _e119));
+        if (_e111.w == 0f) {
+            phi_673_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_619_ = 1f;
+            phi_673_ = 1f;
         }
-        let _e130 = phi_619_;
-        let _e131 = lt_shaders_evaluate_to_light(_e126, _e104);
-        let _e132 = lt_bvh_Ray(_e126, 0f, _e131, _e130);
-        let _e137 = abs(_e131.x);
-        let _e139 = abs(_e131.y);
-        let _e141 = abs(_e131.z);
-        if (abs(_e120) < 1000000000000000f) {
-            if (abs(_e122) < 1000000000000000f) {
-                if (abs(_e124) < 1000000000000000f) {
-                    if (_e137 < 1000000000000000f) {
-                        if (_e139 < 1000000000000000f) {
-                            if (_e141 < 1000000000000000f) {
-                                if (_e137 > 0f) {
-                                    phi_669_ = bool();
-                                    phi_670_ = true;
+        let _e135 = phi_673_;
+        let _e143 = (_e111.x - (_e127 * _e111.w));
+        let _e144 = (_e111.y - (_e129 * _e111.w));
+        let _e145 = (_e111.z - (_e131 * _e111.w));
+        let _e150 = abs(_e143);
+        let _e151 = abs(_e144);
+        let _e152 = abs(_e145);
+        if (abs(_e127) < 1000000000000000f) {
+            if (abs(_e129) < 1000000000000000f) {
+                if (abs(_e131) < 1000000000000000f) {
+                    if (_e150 < 1000000000000000f) {
+                        if (_e151 < 1000000000000000f) {
+                            if (_e152 < 1000000000000000f) {
+                                if (_e150 > 0f) {
+                                    phi_729_ = bool();
+                                    phi_730_ = true;
                                 } else {
-                                    let _e149 = (_e139 > 0f);
-                                    if _e149 {
-                                        phi_668_ = bool();
+                                    let _e160 = (_e151 > 0f);
+                                    if _e160 {
+                                        phi_728_ = bool();
                                     } else {
-                                        phi_668_ = (_e141 > 0f);
+                                        phi_728_ = (_e152 > 0f);
                                     }
-                                    let _e152 = phi_668_;
-                                    phi_669_ = _e152;
-                                    phi_670_ = _e149;
+                                    let _e163 = phi_728_;
+                                    phi_729_ = _e163;
+                                    phi_730_ = _e160;
                                 }
-                                let _e154 = phi_669_;
-                                let _e156 = phi_670_;
-                                if _e156 {
-                                    phi_674_ = true;
+                                let _e165 = phi_729_;
+                                let _e167 = phi_730_;
+                                if _e167 {
+                                    phi_734_ = true;
                                 } else {
-                                    phi_674_ = _e154;
+                                    phi_734_ = _e165;
                                 }
-                                let _e158 = phi_674_;
-                                phi_675_ = _e158;
-                                phi_676_ = false;
+                                let _e169 = phi_734_;
+                                phi_735_ = _e169;
+                                phi_736_ = false;
                             } else {
-                                phi_675_ = bool();
-                                phi_676_ = true;
+                                phi_735_ = bool();
+                                phi_736_ = true;
                             }
-                            let _e160 = phi_675_;
-                            let _e162 = phi_676_;
-                            phi_677_ = _e160;
-                            phi_678_ = false;
-                            phi_679_ = _e162;
+                            let _e171 = phi_735_;
+                            let _e173 = phi_736_;
+                            phi_737_ = _e171;
+                            phi_738_ = false;
+                            phi_739_ = _e173;
                         } else {
-                            phi_677_ = bool();
-                            phi_678_ = true;
-                            phi_679_ = false;
+                            phi_737_ = bool();
+                            phi_738_ = true;
+                            phi_739_ = false;
                         }
-                        let _e164 = phi_677_;
-                        let _e166 = phi_678_;
-                        let _e168 = phi_679_;
-                        phi_680_ = _e164;
-                        phi_681_ = _e166;
-                        phi_682_ = _e168;
+                        let _e175 = phi_737_;
+                        let _e177 = phi_738_;
+                        let _e179 = phi_739_;
+                        phi_740_ = _e175;
+                        phi_741_ = _e177;
+                        phi_742_ = _e179;
                     } else {
-                        phi_680_ = bool();
-                        phi_681_ = true;
-                        phi_682_ = false;
+                        phi_740_ = bool();
+                        phi_741_ = true;
+                        phi_742_ = false;
                     }
-                    let _e170 = phi_680_;
-                    let _e172 = phi_681_;
-                    let _e174 = phi_682_;
-                    phi_683_ = _e170;
-                    phi_684_ = _e172;
-                    phi_685_ = _e174;
+                    let _e181 = phi_740_;
+                    let _e183 = phi_741_;
+                    let _e185 = phi_742_;
+                    phi_743_ = _e181;
+                    phi_744_ = _e183;
+                    phi_745_ = _e185;
                 } else {
-                    phi_683_ = bool();
-                    phi_684_ = true;
-                    phi_685_ = false;
+                    phi_743_ = bool();
+                    phi_744_ = true;
+                    phi_745_ = false;
                 }
-                let _e176 = phi_683_;
-                let _e178 = phi_684_;
-                let _e180 = phi_685_;
-                phi_686_ = _e176;
-                phi_687_ = _e178;
-                phi_688_ = _e180;
+                let _e187 = phi_743_;
+                let _e189 = phi_744_;
+                let _e191 = phi_745_;
+                phi_746_ = _e187;
+                phi_747_ = _e189;
+                phi_748_ = _e191;
             } else {
-                phi_686_ = bool();
-                phi_687_ = true;
-                phi_688_ = false;
+                phi_746_ = bool();
+                phi_747_ = true;
+                phi_748_ = false;
             }
-            let _e182 = phi_686_;
-            let _e184 = phi_687_;
-            let _e186 = phi_688_;
-            phi_689_ = _e182;
-            phi_690_ = _e184;
-            phi_691_ = _e186;
+            let _e193 = phi_746_;
+            let _e195 = phi_747_;
+            let _e197 = phi_748_;
+            phi_749_ = _e193;
+            phi_750_ = _e195;
+            phi_751_ = _e197;
         } else {
-            phi_689_ = bool();
-            phi_690_ = true;
-            phi_691_ = false;
+            phi_749_ = bool();
+            phi_750_ = true;
+            phi_751_ = false;
         }
-        let _e188 = phi_689_;
-        let _e190 = phi_690_;
-        let _e192 = phi_691_;
-        if _e190 {
-            phi_695_ = true;
+        let _e199 = phi_749_;
+        let _e201 = phi_750_;
+        let _e203 = phi_751_;
+        if _e201 {
+            phi_755_ = true;
         } else {
-            phi_695_ = _e192;
+            phi_755_ = _e203;
         }
-        let _e194 = phi_695_;
-        if _e194 {
-            phi_699_ = false;
+        let _e205 = phi_755_;
+        if _e205 {
+            phi_759_ = false;
         } else {
-            phi_699_ = _e188;
+            phi_759_ = _e199;
         }
-        let _e196 = phi_699_;
-        if _e196 {
-            let _e197 = (0u >= _e71);
-            if _e197 {
-                phi_2179_ = bool();
+        let _e207 = phi_759_;
+        if _e207 {
+            let _e208 = (0u >= _e75);
+            if _e208 {
+                phi_2254_ = bool();
             } else {
-                if (0u < _e71) {
+                if (0u < _e75) {
                 } else {
                     return;
                 }
-                let _e203 = nodes.member[(0u + 0u)].frame[0u];
-                let _e207 = nodes.member[(0u + 0u)].frame[1u];
-                let _e211 = nodes.member[(0u + 0u)].frame[2u];
-                let _e215 = nodes.member[(0u + 0u)].frame[0u];
-                let _e219 = nodes.member[(0u + 0u)].frame[1u];
-                let _e223 = nodes.member[(0u + 0u)].frame[2u];
-                let _e227 = nodes.member[(0u + 0u)].frame[3u];
-                let _e264 = core_intrinsics_maximum_number_nsz_f32_(abs(_e131.x), abs(_e131.y));
-                let _e265 = core_intrinsics_maximum_number_nsz_f32_(_e264, abs(_e131.z));
-                let _e266 = (_e265 * 0.0000000000009094947f);
-                if (abs(_e132.direction.x) < _e266) {
-                    phi_773_ = _e266;
+                let _e214 = nodes.member[(0u + 0u)].frame[0u];
+                let _e218 = nodes.member[(0u + 0u)].frame[1u];
+                let _e222 = nodes.member[(0u + 0u)].frame[2u];
+                let _e226 = nodes.member[(0u + 0u)].frame[0u];
+                let _e230 = nodes.member[(0u + 0u)].frame[1u];
+                let _e234 = nodes.member[(0u + 0u)].frame[2u];
+                let _e238 = nodes.member[(0u + 0u)].frame[3u];
+                let _e272 = core_intrinsics_maximum_number_nsz_f32_(abs(_e143), abs(_e144));
+                let _e273 = core_intrinsics_maximum_number_nsz_f32_(_e272, abs(_e145));
+                let _e274 = (_e273 * 0.0000000000009094947f);
+                if (abs(_e143) < _e274) {
+                    phi_829_ = _e274;
                 } else {
-                    phi_773_ = abs(_e132.direction.x);
+                    phi_829_ = abs(_e143);
                 }
-                let _e273 = phi_773_;
-                if (_e132.direction.x < 0f) {
-                    phi_780_ = (-1f / _e273);
+                let _e279 = phi_829_;
+                if (_e143 < 0f) {
+                    phi_836_ = (-1f / _e279);
                 } else {
-                    phi_780_ = (1f / _e273);
+                    phi_836_ = (1f / _e279);
                 }
-                let _e278 = phi_780_;
-                if (abs(_e132.direction.y) < _e266) {
-                    phi_788_ = _e266;
+                let _e284 = phi_836_;
+                if (abs(_e144) < _e274) {
+                    phi_843_ = _e274;
                 } else {
-                    phi_788_ = abs(_e132.direction.y);
+                    phi_843_ = abs(_e144);
                 }
-                let _e285 = phi_788_;
-                if (_e132.direction.y < 0f) {
-                    phi_795_ = (-1f / _e285);
+                let _e289 = phi_843_;
+                if (_e144 < 0f) {
+                    phi_850_ = (-1f / _e289);
                 } else {
-                    phi_795_ = (1f / _e285);
+                    phi_850_ = (1f / _e289);
                 }
-                let _e290 = phi_795_;
-                if (abs(_e132.direction.z) < _e266) {
-                    phi_803_ = _e266;
+                let _e294 = phi_850_;
+                if (abs(_e145) < _e274) {
+                    phi_857_ = _e274;
                 } else {
-                    phi_803_ = abs(_e132.direction.z);
+                    phi_857_ = abs(_e145);
                 }
-                let _e297 = phi_803_;
-                if (_e132.direction.z < 0f) {
-                    phi_810_ = (-1f / _e297);
+                let _e299 = phi_857_;
+                if (_e145 < 0f) {
+                    phi_864_ = (-1f / _e299);
                 } else {
-                    phi_810_ = (1f / _e297);
+                    phi_864_ = (1f / _e299);
                 }
-                let _e302 = phi_810_;
-                let _e306 = abs((bitcast<f32>(_e203) - _e120));
-                let _e307 = abs((bitcast<f32>(_e207) - _e122));
-                let _e308 = abs((bitcast<f32>(_e211) - _e124));
-                let _e312 = abs(((bitcast<f32>(_e215) + (bitcast<f32>((((_e227 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e120));
-                let _e313 = abs(((bitcast<f32>(_e219) + (bitcast<f32>((((_e227 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e122));
-                let _e314 = abs(((bitcast<f32>(_e223) + (bitcast<f32>((((_e227 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e124));
-                if (_e306 > _e312) {
-                    phi_827_ = _e306;
-                } else {
-                    phi_827_ = _e312;
-                }
-                let _e317 = phi_827_;
-                if (_e307 > _e313) {
-                    phi_832_ = _e307;
-                } else {
-                    phi_832_ = _e313;
-                }
-                let _e320 = phi_832_;
+                let _e304 = phi_864_;
+                let _e308 = abs((bitcast<f32>(_e214) - _e127));
+                let _e309 = abs((bitcast<f32>(_e218) - _e129));
+                let _e310 = abs((bitcast<f32>(_e222) - _e131));
+                let _e314 = abs(((bitcast<f32>(_e226) + (bitcast<f32>((((_e238 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e127));
+                let _e315 = abs(((bitcast<f32>(_e230) + (bitcast<f32>((((_e238 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e129));
+                let _e316 = abs(((bitcast<f32>(_e234) + (bitcast<f32>((((_e238 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e131));
                 if (_e308 > _e314) {
-                    phi_837_ = _e308;
+                    phi_881_ = _e308;
                 } else {
-                    phi_837_ = _e314;
+                    phi_881_ = _e314;
                 }
-                let _e323 = phi_837_;
-                let _e324 = core_intrinsics_maximum_number_nsz_f32_(_e317, _e320);
-                let _e325 = core_intrinsics_maximum_number_nsz_f32_(_e324, _e323);
-                let _e329 = (_e325 * 0.0000019073486f);
-                let _e330 = (abs(_e278) * _e329);
-                let _e331 = (abs(_e290) * _e329);
-                let _e332 = (abs(_e302) * _e329);
-                let _e336 = (_e325 * 0.0000009536743f);
-                let _e337 = (abs(_e278) * _e336);
-                let _e338 = (abs(_e290) * _e336);
-                let _e339 = (abs(_e302) * _e336);
-                let _e341 = abs(_e131.x);
-                let _e343 = abs(_e131.y);
-                let _e345 = abs(_e131.z);
-                if (_e341 >= _e343) {
-                    if (_e341 >= _e345) {
-                        phi_868_ = false;
+                let _e319 = phi_881_;
+                if (_e309 > _e315) {
+                    phi_886_ = _e309;
+                } else {
+                    phi_886_ = _e315;
+                }
+                let _e322 = phi_886_;
+                if (_e310 > _e316) {
+                    phi_891_ = _e310;
+                } else {
+                    phi_891_ = _e316;
+                }
+                let _e325 = phi_891_;
+                let _e326 = core_intrinsics_maximum_number_nsz_f32_(_e319, _e322);
+                let _e327 = core_intrinsics_maximum_number_nsz_f32_(_e326, _e325);
+                let _e331 = (_e327 * 0.0000019073486f);
+                let _e332 = (abs(_e284) * _e331);
+                let _e333 = (abs(_e294) * _e331);
+                let _e334 = (abs(_e304) * _e331);
+                let _e338 = (_e327 * 0.0000009536743f);
+                let _e339 = (abs(_e284) * _e338);
+                let _e340 = (abs(_e294) * _e338);
+                let _e341 = (abs(_e304) * _e338);
+                let _e342 = abs(_e143);
+                let _e343 = abs(_e144);
+                let _e344 = abs(_e145);
+                if (_e342 >= _e343) {
+                    if (_e342 >= _e344) {
+                        phi_919_ = false;
                     } else {
-                        phi_868_ = true;
+                        phi_919_ = true;
                     }
-                    let _e349 = phi_868_;
-                    phi_869_ = _e349;
+                    let _e348 = phi_919_;
+                    phi_920_ = _e348;
                 } else {
-                    phi_869_ = true;
+                    phi_920_ = true;
                 }
-                let _e351 = phi_869_;
-                if _e351 {
-                    if (_e343 >= _e345) {
-                        phi_877_ = 1u;
+                let _e350 = phi_920_;
+                if _e350 {
+                    if (_e343 >= _e344) {
+                        phi_928_ = 1u;
                     } else {
-                        phi_877_ = 2u;
+                        phi_928_ = 2u;
                     }
-                    let _e354 = phi_877_;
-                    phi_878_ = _e354;
+                    let _e353 = phi_928_;
+                    phi_929_ = _e353;
                 } else {
-                    phi_878_ = 0u;
+                    phi_929_ = 0u;
                 }
-                let _e356 = phi_878_;
-                if (_e356 == 0u) {
-                    phi_896_ = vec3<f32>(_e131.y, _e131.z, _e131.x);
+                let _e355 = phi_929_;
+                if (_e355 == 0u) {
+                    phi_941_ = vec3<f32>(_e144, _e145, _e143);
                 } else {
-                    if (_e356 == 1u) {
-                        phi_895_ = vec3<f32>(_e131.z, _e131.x, _e131.y);
+                    if (_e355 == 1u) {
+                        phi_940_ = vec3<f32>(_e145, _e143, _e144);
                     } else {
-                        phi_895_ = _e131;
+                        phi_940_ = vec3<f32>(_e143, _e144, _e145);
                     }
-                    let _e368 = phi_895_;
-                    phi_896_ = _e368;
+                    let _e361 = phi_940_;
+                    phi_941_ = _e361;
                 }
-                let _e370 = phi_896_;
-                let _e373 = (_e370.x / _e370.z);
-                let _e376 = (_e370.y / _e370.z);
-                let _e378 = (1f / _e370.z);
-                if (_e278 < 0f) {
-                    phi_909_ = 0u;
+                let _e363 = phi_941_;
+                let _e366 = (_e363.x / _e363.z);
+                let _e369 = (_e363.y / _e363.z);
+                let _e371 = (1f / _e363.z);
+                if (_e284 < 0f) {
+                    phi_954_ = 0u;
                 } else {
-                    phi_909_ = 1u;
+                    phi_954_ = 1u;
                 }
-                let _e381 = phi_909_;
-                if (_e290 < 0f) {
-                    phi_914_ = 0u;
+                let _e374 = phi_954_;
+                if (_e294 < 0f) {
+                    phi_959_ = 0u;
                 } else {
-                    phi_914_ = 2u;
+                    phi_959_ = 2u;
                 }
-                let _e384 = phi_914_;
-                if (_e302 < 0f) {
-                    phi_919_ = 0u;
+                let _e377 = phi_959_;
+                if (_e304 < 0f) {
+                    phi_964_ = 0u;
                 } else {
-                    phi_919_ = 4u;
+                    phi_964_ = 4u;
                 }
-                let _e387 = phi_919_;
-                let _e389 = ((_e381 | _e384) | _e387);
-                let _e390 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e390.first[0], _e390.first[1], _e390.first[2], _e390.first[3], _e390.first[4], _e390.first[5], _e390.first[6], _e390.first[7], _e390.first[8], _e390.first[9], _e390.first[10], _e390.first[11], _e390.first[12], _e390.first[13], _e390.first[14], _e390.first[15], _e390.first[16], _e390.first[17], _e390.first[18], _e390.first[19], _e390.first[20], _e390.first[21], _e390.first[22], _e390.first[23], _e390.first[24], _e390.first[25], _e390.first[26], _e390.first[27], _e390.first[28], _e390.first[29], _e390.first[30], _e390.first[31]), array<u32, 32>(_e390.mask[0], _e390.mask[1], _e390.mask[2], _e390.mask[3], _e390.mask[4], _e390.mask[5], _e390.mask[6], _e390.mask[7], _e390.mask[8], _e390.mask[9], _e390.mask[10], _e390.mask[11], _e390.mask[12], _e390.mask[13], _e390.mask[14], _e390.mask[15], _e390.mask[16], _e390.mask[17], _e390.mask[18], _e390.mask[19], _e390.mask[20], _e390.mask[21], _e390.mask[22], _e390.mask[23], _e390.mask[24], _e390.mask[25], _e390.mask[26], _e390.mask[27], _e390.mask[28], _e390.mask[29], _e390.mask[30], _e390.mask[31]), _e390.len, _e390.group, _e390.group_mask);
-                let _e464 = local_2.group_mask;
-                if ((_e464 & 4278190080u) == 0u) {
-                    let _e468 = local_2.len;
-                    if (_e468 == 0u) {
-                        phi_1033_ = false;
+                let _e380 = phi_964_;
+                let _e382 = ((_e374 | _e377) | _e380);
+                let _e383 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e383.first[0], _e383.first[1], _e383.first[2], _e383.first[3], _e383.first[4], _e383.first[5], _e383.first[6], _e383.first[7], _e383.first[8], _e383.first[9], _e383.first[10], _e383.first[11], _e383.first[12], _e383.first[13], _e383.first[14], _e383.first[15], _e383.first[16], _e383.first[17], _e383.first[18], _e383.first[19], _e383.first[20], _e383.first[21], _e383.first[22], _e383.first[23], _e383.first[24], _e383.first[25], _e383.first[26], _e383.first[27], _e383.first[28], _e383.first[29], _e383.first[30], _e383.first[31]), array<u32, 32>(_e383.mask[0], _e383.mask[1], _e383.mask[2], _e383.mask[3], _e383.mask[4], _e383.mask[5], _e383.mask[6], _e383.mask[7], _e383.mask[8], _e383.mask[9], _e383.mask[10], _e383.mask[11], _e383.mask[12], _e383.mask[13], _e383.mask[14], _e383.mask[15], _e383.mask[16], _e383.mask[17], _e383.mask[18], _e383.mask[19], _e383.mask[20], _e383.mask[21], _e383.mask[22], _e383.mask[23], _e383.mask[24], _e383.mask[25], _e383.mask[26], _e383.mask[27], _e383.mask[28], _e383.mask[29], _e383.mask[30], _e383.mask[31]), _e383.len, _e383.group, _e383.group_mask);
+                let _e457 = local_1.group_mask;
+                if ((_e457 & 4278190080u) == 0u) {
+                    let _e461 = local_1.len;
+                    if (_e461 == 0u) {
+                        phi_1078_ = false;
                     } else {
-                        let _e472 = local_2.len;
-                        local_2.len = (_e472 - 1u);
-                        let _e475 = local_2.len;
-                        if (_e475 < 32u) {
+                        let _e465 = local_1.len;
+                        local_1.len = (_e465 - 1u);
+                        let _e468 = local_1.len;
+                        if (_e468 < 32u) {
                         } else {
                             return;
                         }
-                        let _e480 = local_2.first[(0u + _e475)];
-                        local_2.group = _e480;
-                        let _e483 = local_2.len;
-                        if (_e483 < 32u) {
+                        let _e473 = local_1.first[(0u + _e468)];
+                        local_1.group = _e473;
+                        let _e476 = local_1.len;
+                        if (_e476 < 32u) {
                         } else {
                             return;
                         }
-                        let _e488 = local_2.mask[(0u + _e483)];
-                        local_2.group_mask = _e488;
-                        phi_1033_ = true;
+                        let _e481 = local_1.mask[(0u + _e476)];
+                        local_1.group_mask = _e481;
+                        phi_1078_ = true;
                     }
-                    let _e491 = phi_1033_;
-                    phi_1034_ = _e491;
+                    let _e484 = phi_1078_;
+                    phi_1079_ = _e484;
                 } else {
-                    phi_1034_ = true;
+                    phi_1079_ = true;
                 }
-                let _e493 = phi_1034_;
-                if _e493 {
-                    let _e495 = local_2.group_mask;
-                    let _e501 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e495)), 32u, (_e495 == 0u)));
-                    let _e505 = local_2.group_mask;
-                    let _e519 = local_2.group_mask;
-                    local_2.group_mask = (_e519 & ~((1u << bitcast<u32>((_e501 & 31u)))));
-                    let _e522 = local_2.group;
-                    phi_1065_ = (_e522 + countOneBits(((_e505 & ~((4294967295u << bitcast<u32>((((_e501 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e486 = phi_1079_;
+                if _e486 {
+                    let _e488 = local_1.group_mask;
+                    let _e494 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e488)), 32u, (_e488 == 0u)));
+                    let _e498 = local_1.group_mask;
+                    let _e512 = local_1.group_mask;
+                    local_1.group_mask = (_e512 & ~((1u << bitcast<u32>((_e494 & 31u)))));
+                    let _e515 = local_1.group;
+                    phi_1110_ = (_e515 + countOneBits(((_e498 & ~((4294967295u << bitcast<u32>((((_e494 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1065_ = 4294967295u;
+                    phi_1110_ = 4294967295u;
                 }
-                let _e525 = phi_1065_;
-                phi_1067_ = _e525;
+                let _e518 = phi_1110_;
+                phi_1112_ = _e518;
                 loop {
-                    let _e527 = phi_1067_;
-                    if (_e527 != 4294967295u) {
-                        if (_e527 < _e71) {
+                    let _e520 = phi_1112_;
+                    if (_e520 != 4294967295u) {
+                        if (_e520 < _e75) {
                         } else {
                             return;
                         }
-                        let _e534 = nodes.member[(0u + _e527)].frame[3u];
-                        let _e559 = (bitcast<f32>((((_e534 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e278);
-                        let _e560 = (bitcast<f32>((((_e534 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e290);
-                        let _e561 = (bitcast<f32>((((_e534 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
-                        let _e564 = nodes.member[(0u + _e527)].frame[0u];
-                        let _e568 = nodes.member[(0u + _e527)].frame[1u];
-                        let _e572 = nodes.member[(0u + _e527)].frame[2u];
-                        let _e577 = ((bitcast<f32>(_e564) - _e120) * _e278);
-                        let _e578 = ((bitcast<f32>(_e568) - _e122) * _e290);
-                        let _e579 = ((bitcast<f32>(_e572) - _e124) * _e302);
-                        let _e587 = nodes.member[(0u + _e527)].x;
-                        if (_e278 < 0f) {
-                            let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e587.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.unnamed.root, _e587.w), _e598.unnamed_1);
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_bvh_traverse_Tree(_e587.x, _e604.unnamed_1.first_primitive));
-                            phi_1148_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_bvh_traverse_Tree(_e610.unnamed_1.root, _e587.y));
+                        let _e527 = nodes.member[(0u + _e520)].frame[3u];
+                        let _e552 = (bitcast<f32>((((_e527 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
+                        let _e553 = (bitcast<f32>((((_e527 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
+                        let _e554 = (bitcast<f32>((((_e527 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
+                        let _e557 = nodes.member[(0u + _e520)].frame[0u];
+                        let _e561 = nodes.member[(0u + _e520)].frame[1u];
+                        let _e565 = nodes.member[(0u + _e520)].frame[2u];
+                        let _e570 = ((bitcast<f32>(_e557) - _e127) * _e284);
+                        let _e571 = ((bitcast<f32>(_e561) - _e129) * _e294);
+                        let _e572 = ((bitcast<f32>(_e565) - _e131) * _e304);
+                        let _e580 = nodes.member[(0u + _e520)].x;
+                        if (_e284 < 0f) {
+                            let _e591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e591.unnamed.root, _e580.w), _e591.unnamed_1);
+                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e597.unnamed, lt_bvh_traverse_Tree(_e580.x, _e597.unnamed_1.first_primitive));
+                            phi_1193_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e603.unnamed_1.root, _e580.y));
                         } else {
-                            let _e626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e587.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e626.unnamed.root, _e587.y), _e626.unnamed_1);
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e632.unnamed, lt_bvh_traverse_Tree(_e587.z, _e632.unnamed_1.first_primitive));
-                            phi_1148_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_bvh_traverse_Tree(_e638.unnamed_1.root, _e587.w));
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e619.unnamed.root, _e580.y), _e619.unnamed_1);
+                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e580.z, _e625.unnamed_1.first_primitive));
+                            phi_1193_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_bvh_traverse_Tree(_e631.unnamed_1.root, _e580.w));
                         }
-                        let _e646 = phi_1148_;
-                        let _e656 = nodes.member[(0u + _e527)].y;
-                        if (_e290 < 0f) {
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e656.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.unnamed.root, _e656.w), _e667.unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e656.x, _e673.unnamed_1.first_primitive));
-                            phi_1175_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e679.unnamed_1.root, _e656.y));
+                        let _e639 = phi_1193_;
+                        let _e649 = nodes.member[(0u + _e520)].y;
+                        if (_e294 < 0f) {
+                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e660.unnamed.root, _e649.w), _e660.unnamed_1);
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_bvh_traverse_Tree(_e649.x, _e666.unnamed_1.first_primitive));
+                            phi_1220_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e672.unnamed_1.root, _e649.y));
                         } else {
-                            let _e695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e656.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e695.unnamed.root, _e656.y), _e695.unnamed_1);
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e701.unnamed, lt_bvh_traverse_Tree(_e656.z, _e701.unnamed_1.first_primitive));
-                            phi_1175_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e707.unnamed_1.root, _e656.w));
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.unnamed.root, _e649.y), _e688.unnamed_1);
+                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e649.z, _e694.unnamed_1.first_primitive));
+                            phi_1220_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_bvh_traverse_Tree(_e700.unnamed_1.root, _e649.w));
                         }
-                        let _e715 = phi_1175_;
-                        let _e725 = nodes.member[(0u + _e527)].z;
-                        if (_e302 < 0f) {
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e725.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.unnamed.root, _e725.w), _e736.unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e725.x, _e742.unnamed_1.first_primitive));
-                            phi_1202_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e748.unnamed_1.root, _e725.y));
+                        let _e708 = phi_1220_;
+                        let _e718 = nodes.member[(0u + _e520)].z;
+                        if (_e304 < 0f) {
+                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e718.w), _e729.unnamed_1);
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e718.x, _e735.unnamed_1.first_primitive));
+                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e718.y));
                         } else {
-                            let _e764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e725.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e764.unnamed.root, _e725.y), _e764.unnamed_1);
-                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e770.unnamed, lt_bvh_traverse_Tree(_e725.z, _e770.unnamed_1.first_primitive));
-                            phi_1202_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_bvh_traverse_Tree(_e776.unnamed_1.root, _e725.w));
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.unnamed.root, _e718.y), _e757.unnamed_1);
+                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e718.z, _e763.unnamed_1.first_primitive));
+                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e769.unnamed_1.root, _e718.w));
                         }
-                        let _e784 = phi_1202_;
-                        phi_1208_ = 0u;
-                        phi_1211_ = 0u;
+                        let _e777 = phi_1247_;
+                        phi_1253_ = 0u;
+                        phi_1256_ = 0u;
                         loop {
-                            let _e794 = phi_1208_;
-                            let _e796 = phi_1211_;
-                            local_3 = _e796;
-                            local_4 = _e796;
-                            local_5 = _e796;
-                            let _e797 = (_e794 < 8u);
-                            if _e797 {
-                                let _e799 = (_e794 >> bitcast<u32>(2i));
-                                let _e800 = (_e794 & 3u);
-                                if (_e799 == 0u) {
-                                    phi_1225_ = _e646.unnamed.root;
+                            let _e787 = phi_1253_;
+                            let _e789 = phi_1256_;
+                            local_2 = _e789;
+                            local_3 = _e789;
+                            local_4 = _e789;
+                            let _e790 = (_e787 < 8u);
+                            if _e790 {
+                                let _e792 = (_e787 >> bitcast<u32>(2i));
+                                let _e793 = (_e787 & 3u);
+                                if (_e792 == 0u) {
+                                    phi_1270_ = _e639.unnamed.root;
                                 } else {
-                                    phi_1225_ = _e646.unnamed.first_primitive;
+                                    phi_1270_ = _e639.unnamed.first_primitive;
                                 }
-                                let _e803 = phi_1225_;
-                                if (_e799 == 0u) {
-                                    phi_1235_ = _e715.unnamed.root;
+                                let _e796 = phi_1270_;
+                                if (_e792 == 0u) {
+                                    phi_1280_ = _e708.unnamed.root;
                                 } else {
-                                    phi_1235_ = _e715.unnamed.first_primitive;
+                                    phi_1280_ = _e708.unnamed.first_primitive;
                                 }
-                                let _e812 = phi_1235_;
-                                if (_e799 == 0u) {
-                                    phi_1245_ = _e784.unnamed.root;
+                                let _e805 = phi_1280_;
+                                if (_e792 == 0u) {
+                                    phi_1290_ = _e777.unnamed.root;
                                 } else {
-                                    phi_1245_ = _e784.unnamed.first_primitive;
+                                    phi_1290_ = _e777.unnamed.first_primitive;
                                 }
-                                let _e821 = phi_1245_;
-                                let _e834 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e803 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e559) + (_e577 - _e330)), ((f32(((_e812 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e560) + (_e578 - _e331)));
-                                let _e835 = core_intrinsics_maximum_number_nsz_f32_(_e834, ((f32(((_e821 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e561) + (_e579 - _e332)));
-                                if (_e799 == 0u) {
-                                    phi_1263_ = _e646.unnamed_1.root;
+                                let _e814 = phi_1290_;
+                                let _e827 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e796 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 - _e332)), ((f32(((_e805 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 - _e333)));
+                                let _e828 = core_intrinsics_maximum_number_nsz_f32_(_e827, ((f32(((_e814 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 - _e334)));
+                                if (_e792 == 0u) {
+                                    phi_1308_ = _e639.unnamed_1.root;
                                 } else {
-                                    phi_1263_ = _e646.unnamed_1.first_primitive;
+                                    phi_1308_ = _e639.unnamed_1.first_primitive;
                                 }
-                                let _e838 = phi_1263_;
-                                if (_e799 == 0u) {
-                                    phi_1273_ = _e715.unnamed_1.root;
+                                let _e831 = phi_1308_;
+                                if (_e792 == 0u) {
+                                    phi_1318_ = _e708.unnamed_1.root;
                                 } else {
-                                    phi_1273_ = _e715.unnamed_1.first_primitive;
+                                    phi_1318_ = _e708.unnamed_1.first_primitive;
                                 }
-                                let _e847 = phi_1273_;
-                                if (_e799 == 0u) {
-                                    phi_1283_ = _e784.unnamed_1.root;
+                                let _e840 = phi_1318_;
+                                if (_e792 == 0u) {
+                                    phi_1328_ = _e777.unnamed_1.root;
                                 } else {
-                                    phi_1283_ = _e784.unnamed_1.first_primitive;
+                                    phi_1328_ = _e777.unnamed_1.first_primitive;
                                 }
-                                let _e856 = phi_1283_;
-                                let _e869 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e838 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e559) + (_e577 + _e330)), ((f32(((_e847 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e560) + (_e578 + _e331)));
-                                let _e870 = core_intrinsics_minimum_number_nsz_f32_(_e869, ((f32(((_e856 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u)) * _e561) + (_e579 + _e332)));
-                                if (_e835 <= _e870) {
-                                    if (_e835 <= _e130) {
-                                        if (_e870 >= 0f) {
-                                            if (_e799 == 0u) {
-                                                let _e877 = nodes.member[(0u + _e527)].links[2u];
-                                                phi_1319_ = _e877;
+                                let _e849 = phi_1328_;
+                                let _e862 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e831 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 + _e332)), ((f32(((_e840 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 + _e333)));
+                                let _e863 = core_intrinsics_minimum_number_nsz_f32_(_e862, ((f32(((_e849 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 + _e334)));
+                                if (_e828 <= _e863) {
+                                    if (_e828 <= _e135) {
+                                        if (_e863 >= 0f) {
+                                            if (_e792 == 0u) {
+                                                let _e870 = nodes.member[(0u + _e520)].links[2u];
+                                                phi_1364_ = _e870;
                                             } else {
-                                                let _e880 = nodes.member[(0u + _e527)].links[3u];
-                                                phi_1319_ = _e880;
+                                                let _e873 = nodes.member[(0u + _e520)].links[3u];
+                                                phi_1364_ = _e873;
                                             }
-                                            let _e882 = phi_1319_;
-                                            let _e887 = ((_e882 >> bitcast<u32>(((_e800 * 8u) & 31u))) & 255u);
-                                            let _e888 = (_e887 & 31u);
-                                            if (_e888 >= 24u) {
-                                                phi_1332_ = (24u + ((_e888 - 24u) ^ _e389));
+                                            let _e875 = phi_1364_;
+                                            let _e880 = ((_e875 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u);
+                                            let _e881 = (_e880 & 31u);
+                                            if (_e881 >= 24u) {
+                                                phi_1377_ = (24u + ((_e881 - 24u) ^ _e382));
                                             } else {
-                                                phi_1332_ = _e888;
+                                                phi_1377_ = _e881;
                                             }
-                                            let _e894 = phi_1332_;
-                                            phi_1337_ = (_e796 | ((_e887 >> bitcast<u32>(5i)) << bitcast<u32>((_e894 & 31u))));
+                                            let _e887 = phi_1377_;
+                                            phi_1382_ = (_e789 | ((_e880 >> bitcast<u32>(5i)) << bitcast<u32>((_e887 & 31u))));
                                         } else {
-                                            phi_1337_ = _e796;
+                                            phi_1382_ = _e789;
                                         }
-                                        let _e902 = phi_1337_;
-                                        phi_1338_ = _e902;
+                                        let _e895 = phi_1382_;
+                                        phi_1383_ = _e895;
                                     } else {
-                                        phi_1338_ = _e796;
+                                        phi_1383_ = _e789;
                                     }
-                                    let _e904 = phi_1338_;
-                                    phi_1339_ = _e904;
+                                    let _e897 = phi_1383_;
+                                    phi_1384_ = _e897;
                                 } else {
-                                    phi_1339_ = _e796;
+                                    phi_1384_ = _e789;
                                 }
-                                let _e906 = phi_1339_;
-                                phi_1209_ = (_e794 + 1u);
-                                phi_1212_ = _e906;
+                                let _e899 = phi_1384_;
+                                phi_1254_ = (_e787 + 1u);
+                                phi_1257_ = _e899;
                             } else {
-                                phi_1209_ = u32();
-                                phi_1212_ = u32();
+                                phi_1254_ = u32();
+                                phi_1257_ = u32();
                             }
-                            let _e909 = phi_1209_;
-                            let _e911 = phi_1212_;
+                            let _e902 = phi_1254_;
+                            let _e904 = phi_1257_;
                             continue;
                             continuing {
-                                phi_1208_ = _e909;
-                                phi_1211_ = _e911;
-                                break if !(_e797);
+                                phi_1253_ = _e902;
+                                phi_1256_ = _e904;
+                                break if !(_e790);
                             }
                         }
-                        let _e915 = nodes.member[(0u + _e527)].links[0u];
-                        let _e919 = nodes.member[(0u + _e527)].frame[3u];
-                        let _e923 = local_3;
-                        if ((_e923 & 4278190080u) == 0u) {
+                        let _e908 = nodes.member[(0u + _e520)].links[0u];
+                        let _e912 = nodes.member[(0u + _e520)].frame[3u];
+                        let _e916 = local_2;
+                        if ((_e916 & 4278190080u) == 0u) {
                         } else {
-                            let _e927 = local_2.group_mask;
-                            if ((_e927 & 4278190080u) == 0u) {
+                            let _e920 = local_1.group_mask;
+                            if ((_e920 & 4278190080u) == 0u) {
                             } else {
-                                let _e931 = local_2.len;
-                                if (_e931 < 32u) {
-                                    let _e934 = local_2.group;
-                                    let _e936 = local_2.len;
-                                    if (_e936 < 32u) {
+                                let _e924 = local_1.len;
+                                if (_e924 < 32u) {
+                                    let _e927 = local_1.group;
+                                    let _e929 = local_1.len;
+                                    if (_e929 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e936)] = _e934;
-                                    let _e942 = local_2.group_mask;
-                                    let _e944 = local_2.len;
-                                    if (_e944 < 32u) {
+                                    local_1.first[(0u + _e929)] = _e927;
+                                    let _e935 = local_1.group_mask;
+                                    let _e937 = local_1.len;
+                                    if (_e937 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e944)] = _e942;
-                                    let _e951 = local_2.len;
-                                    local_2.len = (_e951 + 1u);
+                                    local_1.mask[(0u + _e937)] = _e935;
+                                    let _e944 = local_1.len;
+                                    local_1.len = (_e944 + 1u);
                                 }
                             }
-                            local_2.group = (0u + _e915);
-                            let _e955 = local_4;
-                            local_2.group_mask = ((_e955 & 4278190080u) | (_e919 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e908);
+                            let _e948 = local_3;
+                            local_1.group_mask = ((_e948 & 4278190080u) | (_e912 >> bitcast<u32>(24i)));
                         }
-                        let _e960 = local_5;
-                        phi_1397_ = (_e960 & 16777215u);
+                        let _e953 = local_4;
+                        phi_1442_ = (_e953 & 16777215u);
                         loop {
-                            let _e963 = phi_1397_;
-                            let _e964 = (_e963 == 0u);
-                            local_6 = _e964;
-                            local_10 = _e964;
-                            if _e964 {
-                                phi_1398_ = u32();
-                                phi_2082_ = false;
-                                phi_2083_ = false;
-                                phi_2084_ = false;
+                            let _e956 = phi_1442_;
+                            let _e957 = (_e956 == 0u);
+                            local_5 = _e957;
+                            local_9 = _e957;
+                            if _e957 {
+                                phi_1443_ = u32();
+                                phi_2157_ = false;
+                                phi_2158_ = false;
+                                phi_2159_ = false;
                             } else {
-                                let _e967 = nodes.member[(0u + _e527)].links[1u];
-                                let _e972 = ((0u + _e967) + select(firstTrailingBit(_e963), 32u, (_e963 == 0u)));
-                                if (_e972 < _e74) {
+                                let _e960 = nodes.member[(0u + _e520)].links[1u];
+                                let _e965 = ((0u + _e960) + select(firstTrailingBit(_e956), 32u, (_e956 == 0u)));
+                                if (_e965 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e979 = triangles.member[(0u + _e972)].v0_;
-                                let _e981 = (_e979.x - _e120);
-                                let _e983 = (_e979.y - _e122);
-                                let _e985 = (_e979.z - _e124);
-                                if (_e356 == 0u) {
-                                    phi_1443_ = vec3<f32>(_e983, _e985, _e981);
+                                let _e972 = triangles.member[(0u + _e965)].v0_;
+                                let _e974 = (_e972.x - _e127);
+                                let _e976 = (_e972.y - _e129);
+                                let _e978 = (_e972.z - _e131);
+                                if (_e355 == 0u) {
+                                    phi_1488_ = vec3<f32>(_e976, _e978, _e974);
                                 } else {
-                                    if (_e356 == 1u) {
-                                        phi_1442_ = vec3<f32>(_e985, _e981, _e983);
+                                    if (_e355 == 1u) {
+                                        phi_1487_ = vec3<f32>(_e978, _e974, _e976);
                                     } else {
-                                        phi_1442_ = (_e979 - vec3<f32>(_e120, _e122, _e124));
+                                        phi_1487_ = (_e972 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e993 = phi_1442_;
-                                    phi_1443_ = _e993;
+                                    let _e986 = phi_1487_;
+                                    phi_1488_ = _e986;
                                 }
-                                let _e995 = phi_1443_;
-                                let _e999 = (_e995.x - (_e373 * _e995.z));
-                                let _e1003 = (_e995.y - (_e376 * _e995.z));
-                                let _e1007 = triangles.member[(0u + _e972)].v1_;
-                                let _e1009 = (_e1007.x - _e120);
-                                let _e1011 = (_e1007.y - _e122);
-                                let _e1013 = (_e1007.z - _e124);
-                                if (_e356 == 0u) {
-                                    phi_1475_ = vec3<f32>(_e1011, _e1013, _e1009);
+                                let _e988 = phi_1488_;
+                                let _e992 = (_e988.x - (_e366 * _e988.z));
+                                let _e996 = (_e988.y - (_e369 * _e988.z));
+                                let _e1000 = triangles.member[(0u + _e965)].v1_;
+                                let _e1002 = (_e1000.x - _e127);
+                                let _e1004 = (_e1000.y - _e129);
+                                let _e1006 = (_e1000.z - _e131);
+                                if (_e355 == 0u) {
+                                    phi_1520_ = vec3<f32>(_e1004, _e1006, _e1002);
                                 } else {
-                                    if (_e356 == 1u) {
-                                        phi_1474_ = vec3<f32>(_e1013, _e1009, _e1011);
+                                    if (_e355 == 1u) {
+                                        phi_1519_ = vec3<f32>(_e1006, _e1002, _e1004);
                                     } else {
-                                        phi_1474_ = (_e1007 - vec3<f32>(_e120, _e122, _e124));
+                                        phi_1519_ = (_e1000 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1021 = phi_1474_;
-                                    phi_1475_ = _e1021;
+                                    let _e1014 = phi_1519_;
+                                    phi_1520_ = _e1014;
                                 }
-                                let _e1023 = phi_1475_;
-                                let _e1027 = (_e1023.x - (_e373 * _e1023.z));
-                                let _e1031 = (_e1023.y - (_e376 * _e1023.z));
-                                let _e1035 = triangles.member[(0u + _e972)].v2_;
-                                let _e1037 = (_e1035.x - _e120);
-                                let _e1039 = (_e1035.y - _e122);
-                                let _e1041 = (_e1035.z - _e124);
-                                if (_e356 == 0u) {
-                                    phi_1507_ = vec3<f32>(_e1039, _e1041, _e1037);
+                                let _e1016 = phi_1520_;
+                                let _e1020 = (_e1016.x - (_e366 * _e1016.z));
+                                let _e1024 = (_e1016.y - (_e369 * _e1016.z));
+                                let _e1028 = triangles.member[(0u + _e965)].v2_;
+                                let _e1030 = (_e1028.x - _e127);
+                                let _e1032 = (_e1028.y - _e129);
+                                let _e1034 = (_e1028.z - _e131);
+                                if (_e355 == 0u) {
+                                    phi_1552_ = vec3<f32>(_e1032, _e1034, _e1030);
                                 } else {
-                                    if (_e356 == 1u) {
-                                        phi_1506_ = vec3<f32>(_e1041, _e1037, _e1039);
+                                    if (_e355 == 1u) {
+                                        phi_1551_ = vec3<f32>(_e1034, _e1030, _e1032);
                                     } else {
-                                        phi_1506_ = (_e1035 - vec3<f32>(_e120, _e122, _e124));
+                                        phi_1551_ = (_e1028 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1049 = phi_1506_;
-                                    phi_1507_ = _e1049;
+                                    let _e1042 = phi_1551_;
+                                    phi_1552_ = _e1042;
                                 }
-                                let _e1051 = phi_1507_;
-                                let _e1055 = (_e1051.x - (_e373 * _e1051.z));
-                                let _e1059 = (_e1051.y - (_e376 * _e1051.z));
-                                if (_e1027 < _e1055) {
-                                    phi_1528_ = true;
+                                let _e1044 = phi_1552_;
+                                let _e1048 = (_e1044.x - (_e366 * _e1044.z));
+                                let _e1052 = (_e1044.y - (_e369 * _e1044.z));
+                                if (_e1020 < _e1048) {
+                                    phi_1573_ = true;
                                 } else {
-                                    if (_e1027 == _e1055) {
-                                        phi_1527_ = (_e1031 < _e1059);
+                                    if (_e1020 == _e1048) {
+                                        phi_1572_ = (_e1024 < _e1052);
                                     } else {
-                                        phi_1527_ = false;
+                                        phi_1572_ = false;
                                     }
-                                    let _e1066 = phi_1527_;
-                                    phi_1528_ = _e1066;
+                                    let _e1059 = phi_1572_;
+                                    phi_1573_ = _e1059;
                                 }
-                                let _e1068 = phi_1528_;
-                                if _e1068 {
-                                    phi_1532_ = _e1059;
-                                    phi_1533_ = _e1055;
-                                    phi_1534_ = _e1031;
-                                    phi_1535_ = _e1027;
+                                let _e1061 = phi_1573_;
+                                if _e1061 {
+                                    phi_1577_ = _e1052;
+                                    phi_1578_ = _e1048;
+                                    phi_1579_ = _e1024;
+                                    phi_1580_ = _e1020;
                                 } else {
-                                    phi_1532_ = _e1031;
-                                    phi_1533_ = _e1027;
-                                    phi_1534_ = _e1059;
-                                    phi_1535_ = _e1055;
+                                    phi_1577_ = _e1024;
+                                    phi_1578_ = _e1020;
+                                    phi_1579_ = _e1052;
+                                    phi_1580_ = _e1048;
                                 }
-                                let _e1070 = phi_1532_;
-                                let _e1072 = phi_1533_;
-                                let _e1074 = phi_1534_;
-                                let _e1076 = phi_1535_;
-                                let _e1079 = ((_e1076 * _e1070) - (_e1074 * _e1072));
-                                if _e1068 {
-                                    phi_1543_ = -(_e1079);
+                                let _e1063 = phi_1577_;
+                                let _e1065 = phi_1578_;
+                                let _e1067 = phi_1579_;
+                                let _e1069 = phi_1580_;
+                                let _e1072 = ((_e1069 * _e1063) - (_e1067 * _e1065));
+                                if _e1061 {
+                                    phi_1588_ = -(_e1072);
                                 } else {
-                                    phi_1543_ = _e1079;
+                                    phi_1588_ = _e1072;
                                 }
-                                let _e1082 = phi_1543_;
-                                if (_e1055 < _e999) {
-                                    phi_1554_ = true;
+                                let _e1075 = phi_1588_;
+                                if (_e1048 < _e992) {
+                                    phi_1599_ = true;
                                 } else {
-                                    if (_e1055 == _e999) {
-                                        phi_1553_ = (_e1059 < _e1003);
+                                    if (_e1048 == _e992) {
+                                        phi_1598_ = (_e1052 < _e996);
                                     } else {
-                                        phi_1553_ = false;
+                                        phi_1598_ = false;
                                     }
-                                    let _e1087 = phi_1553_;
-                                    phi_1554_ = _e1087;
+                                    let _e1080 = phi_1598_;
+                                    phi_1599_ = _e1080;
                                 }
-                                let _e1089 = phi_1554_;
-                                if _e1089 {
-                                    phi_1558_ = _e1003;
-                                    phi_1559_ = _e999;
-                                    phi_1560_ = _e1059;
-                                    phi_1561_ = _e1055;
+                                let _e1082 = phi_1599_;
+                                if _e1082 {
+                                    phi_1603_ = _e996;
+                                    phi_1604_ = _e992;
+                                    phi_1605_ = _e1052;
+                                    phi_1606_ = _e1048;
                                 } else {
-                                    phi_1558_ = _e1059;
-                                    phi_1559_ = _e1055;
-                                    phi_1560_ = _e1003;
-                                    phi_1561_ = _e999;
+                                    phi_1603_ = _e1052;
+                                    phi_1604_ = _e1048;
+                                    phi_1605_ = _e996;
+                                    phi_1606_ = _e992;
                                 }
-                                let _e1091 = phi_1558_;
-                                let _e1093 = phi_1559_;
-                                let _e1095 = phi_1560_;
-                                let _e1097 = phi_1561_;
-                                let _e1100 = ((_e1097 * _e1091) - (_e1095 * _e1093));
-                                if _e1089 {
-                                    phi_1569_ = -(_e1100);
+                                let _e1084 = phi_1603_;
+                                let _e1086 = phi_1604_;
+                                let _e1088 = phi_1605_;
+                                let _e1090 = phi_1606_;
+                                let _e1093 = ((_e1090 * _e1084) - (_e1088 * _e1086));
+                                if _e1082 {
+                                    phi_1614_ = -(_e1093);
                                 } else {
-                                    phi_1569_ = _e1100;
+                                    phi_1614_ = _e1093;
                                 }
-                                let _e1103 = phi_1569_;
-                                if (_e999 < _e1027) {
-                                    phi_1580_ = true;
+                                let _e1096 = phi_1614_;
+                                if (_e992 < _e1020) {
+                                    phi_1625_ = true;
                                 } else {
-                                    if (_e999 == _e1027) {
-                                        phi_1579_ = (_e1003 < _e1031);
+                                    if (_e992 == _e1020) {
+                                        phi_1624_ = (_e996 < _e1024);
                                     } else {
-                                        phi_1579_ = false;
+                                        phi_1624_ = false;
                                     }
-                                    let _e1108 = phi_1579_;
-                                    phi_1580_ = _e1108;
+                                    let _e1101 = phi_1624_;
+                                    phi_1625_ = _e1101;
                                 }
-                                let _e1110 = phi_1580_;
-                                if _e1110 {
-                                    phi_1584_ = _e1031;
-                                    phi_1585_ = _e1027;
-                                    phi_1586_ = _e1003;
-                                    phi_1587_ = _e999;
+                                let _e1103 = phi_1625_;
+                                if _e1103 {
+                                    phi_1629_ = _e1024;
+                                    phi_1630_ = _e1020;
+                                    phi_1631_ = _e996;
+                                    phi_1632_ = _e992;
                                 } else {
-                                    phi_1584_ = _e1003;
-                                    phi_1585_ = _e999;
-                                    phi_1586_ = _e1031;
-                                    phi_1587_ = _e1027;
+                                    phi_1629_ = _e996;
+                                    phi_1630_ = _e992;
+                                    phi_1631_ = _e1024;
+                                    phi_1632_ = _e1020;
                                 }
-                                let _e1112 = phi_1584_;
-                                let _e1114 = phi_1585_;
-                                let _e1116 = phi_1586_;
-                                let _e1118 = phi_1587_;
-                                let _e1121 = ((_e1118 * _e1112) - (_e1116 * _e1114));
-                                if _e1110 {
-                                    phi_1595_ = -(_e1121);
+                                let _e1105 = phi_1629_;
+                                let _e1107 = phi_1630_;
+                                let _e1109 = phi_1631_;
+                                let _e1111 = phi_1632_;
+                                let _e1114 = ((_e1111 * _e1105) - (_e1109 * _e1107));
+                                if _e1103 {
+                                    phi_1640_ = -(_e1114);
                                 } else {
-                                    phi_1595_ = _e1121;
+                                    phi_1640_ = _e1114;
                                 }
-                                let _e1124 = phi_1595_;
-                                if (_e1082 >= 0f) {
-                                    if (_e1103 >= 0f) {
-                                        if (_e1124 >= 0f) {
-                                            phi_1610_ = ((_e1082 + _e1103) + _e1124);
-                                            phi_1611_ = false;
+                                let _e1117 = phi_1640_;
+                                if (_e1075 >= 0f) {
+                                    if (_e1096 >= 0f) {
+                                        if (_e1117 >= 0f) {
+                                            phi_1655_ = ((_e1075 + _e1096) + _e1117);
+                                            phi_1656_ = false;
                                         } else {
-                                            phi_1610_ = f32();
-                                            phi_1611_ = true;
+                                            phi_1655_ = f32();
+                                            phi_1656_ = true;
                                         }
-                                        let _e1131 = phi_1610_;
-                                        let _e1133 = phi_1611_;
-                                        phi_1612_ = _e1131;
-                                        phi_1613_ = _e1133;
+                                        let _e1124 = phi_1655_;
+                                        let _e1126 = phi_1656_;
+                                        phi_1657_ = _e1124;
+                                        phi_1658_ = _e1126;
                                     } else {
-                                        phi_1612_ = f32();
-                                        phi_1613_ = true;
+                                        phi_1657_ = f32();
+                                        phi_1658_ = true;
                                     }
-                                    let _e1135 = phi_1612_;
-                                    let _e1137 = phi_1613_;
-                                    phi_1614_ = _e1135;
-                                    phi_1615_ = _e1137;
+                                    let _e1128 = phi_1657_;
+                                    let _e1130 = phi_1658_;
+                                    phi_1659_ = _e1128;
+                                    phi_1660_ = _e1130;
                                 } else {
-                                    phi_1614_ = f32();
-                                    phi_1615_ = true;
+                                    phi_1659_ = f32();
+                                    phi_1660_ = true;
                                 }
-                                let _e1139 = phi_1614_;
-                                let _e1141 = phi_1615_;
-                                if _e1141 {
-                                    if (_e1082 <= 0f) {
-                                        if (_e1103 <= 0f) {
-                                            let _e1144 = (_e1124 <= 0f);
-                                            if _e1144 {
+                                let _e1132 = phi_1659_;
+                                let _e1134 = phi_1660_;
+                                if _e1134 {
+                                    if (_e1075 <= 0f) {
+                                        if (_e1096 <= 0f) {
+                                            let _e1137 = (_e1117 <= 0f);
+                                            if _e1137 {
                                             }
-                                            phi_1633_ = ((_e1082 + _e1103) + _e1124);
-                                            phi_1634_ = false;
-                                            phi_1635_ = _e1144;
+                                            phi_1678_ = ((_e1075 + _e1096) + _e1117);
+                                            phi_1679_ = false;
+                                            phi_1680_ = _e1137;
                                         } else {
-                                            phi_1633_ = f32();
-                                            phi_1634_ = true;
-                                            phi_1635_ = false;
+                                            phi_1678_ = f32();
+                                            phi_1679_ = true;
+                                            phi_1680_ = false;
                                         }
-                                        let _e1148 = phi_1633_;
-                                        let _e1150 = phi_1634_;
-                                        let _e1152 = phi_1635_;
-                                        phi_1636_ = _e1148;
-                                        phi_1637_ = _e1150;
-                                        phi_1638_ = _e1152;
+                                        let _e1141 = phi_1678_;
+                                        let _e1143 = phi_1679_;
+                                        let _e1145 = phi_1680_;
+                                        phi_1681_ = _e1141;
+                                        phi_1682_ = _e1143;
+                                        phi_1683_ = _e1145;
                                     } else {
-                                        phi_1636_ = f32();
-                                        phi_1637_ = true;
-                                        phi_1638_ = false;
+                                        phi_1681_ = f32();
+                                        phi_1682_ = true;
+                                        phi_1683_ = false;
                                     }
-                                    let _e1154 = phi_1636_;
-                                    let _e1156 = phi_1637_;
-                                    let _e1158 = phi_1638_;
-                                    if _e1156 {
-                                        phi_1642_ = false;
+                                    let _e1147 = phi_1681_;
+                                    let _e1149 = phi_1682_;
+                                    let _e1151 = phi_1683_;
+                                    if _e1149 {
+                                        phi_1687_ = false;
                                     } else {
-                                        phi_1642_ = _e1158;
+                                        phi_1687_ = _e1151;
                                     }
-                                    let _e1160 = phi_1642_;
-                                    phi_1643_ = _e1154;
-                                    phi_1644_ = _e1160;
+                                    let _e1153 = phi_1687_;
+                                    phi_1688_ = _e1147;
+                                    phi_1689_ = _e1153;
                                 } else {
-                                    phi_1643_ = _e1139;
-                                    phi_1644_ = true;
+                                    phi_1688_ = _e1132;
+                                    phi_1689_ = true;
                                 }
-                                let _e1162 = phi_1643_;
-                                let _e1164 = phi_1644_;
-                                if _e1164 {
-                                    let _e1165 = (_e1162 == 0f);
-                                    if _e1165 {
-                                        phi_1842_ = lt_bvh_triangle_Intersection();
+                                let _e1155 = phi_1688_;
+                                let _e1157 = phi_1689_;
+                                if _e1157 {
+                                    let _e1158 = (_e1155 == 0f);
+                                    if _e1158 {
+                                        phi_1902_ = lt_bvh_triangle_Intersection();
+                                        phi_1903_ = false;
                                     } else {
-                                        let _e1171 = ((((_e1082 * (_e378 * _e995.z)) + (_e1103 * (_e378 * _e1023.z))) + (_e1124 * (_e378 * _e1051.z))) / _e1162);
-                                        let _e1173 = triangles.member[(0u + _e972)].v0_;
-                                        let _e1175 = triangles.member[(0u + _e972)].v1_;
-                                        if (_e1173.x < _e1175.x) {
-                                            phi_1670_ = _e1173.x;
-                                        } else {
-                                            phi_1670_ = _e1175.x;
-                                        }
-                                        let _e1182 = phi_1670_;
-                                        if (_e1173.y < _e1175.y) {
-                                            phi_1679_ = _e1173.y;
-                                        } else {
-                                            phi_1679_ = _e1175.y;
-                                        }
-                                        let _e1189 = phi_1679_;
-                                        if (_e1173.z < _e1175.z) {
-                                            phi_1688_ = _e1173.z;
-                                        } else {
-                                            phi_1688_ = _e1175.z;
-                                        }
-                                        let _e1196 = phi_1688_;
-                                        let _e1198 = triangles.member[(0u + _e972)].v2_;
-                                        if (_e1182 < _e1198.x) {
-                                            phi_1697_ = _e1182;
-                                        } else {
-                                            phi_1697_ = _e1198.x;
-                                        }
-                                        let _e1203 = phi_1697_;
-                                        if (_e1189 < _e1198.y) {
-                                            phi_1704_ = _e1189;
-                                        } else {
-                                            phi_1704_ = _e1198.y;
-                                        }
-                                        let _e1208 = phi_1704_;
-                                        if (_e1196 < _e1198.z) {
-                                            phi_1711_ = _e1196;
-                                        } else {
-                                            phi_1711_ = _e1198.z;
-                                        }
-                                        let _e1213 = phi_1711_;
-                                        let _e1215 = triangles.member[(0u + _e972)].v0_;
-                                        let _e1217 = triangles.member[(0u + _e972)].v1_;
-                                        if (_e1215.x > _e1217.x) {
-                                            phi_1724_ = _e1215.x;
-                                        } else {
-                                            phi_1724_ = _e1217.x;
-                                        }
-                                        let _e1224 = phi_1724_;
-                                        if (_e1215.y > _e1217.y) {
-                                            phi_1733_ = _e1215.y;
-                                        } else {
-                                            phi_1733_ = _e1217.y;
-                                        }
-                                        let _e1231 = phi_1733_;
-                                        if (_e1215.z > _e1217.z) {
-                                            phi_1742_ = _e1215.z;
-                                        } else {
-                                            phi_1742_ = _e1217.z;
-                                        }
-                                        let _e1238 = phi_1742_;
-                                        let _e1240 = triangles.member[(0u + _e972)].v2_;
-                                        if (_e1224 > _e1240.x) {
-                                            phi_1751_ = _e1224;
-                                        } else {
-                                            phi_1751_ = _e1240.x;
-                                        }
-                                        let _e1245 = phi_1751_;
-                                        if (_e1231 > _e1240.y) {
-                                            phi_1758_ = _e1231;
-                                        } else {
-                                            phi_1758_ = _e1240.y;
-                                        }
-                                        let _e1250 = phi_1758_;
-                                        if (_e1238 > _e1240.z) {
-                                            phi_1765_ = _e1238;
-                                        } else {
-                                            phi_1765_ = _e1240.z;
-                                        }
-                                        let _e1255 = phi_1765_;
-                                        let _e1259 = ((_e1203 - _e120) * _e278);
-                                        let _e1260 = ((_e1208 - _e122) * _e290);
-                                        let _e1261 = ((_e1213 - _e124) * _e302);
-                                        let _e1265 = ((_e1245 - _e120) * _e278);
-                                        let _e1266 = ((_e1250 - _e122) * _e290);
-                                        let _e1267 = ((_e1255 - _e124) * _e302);
-                                        if (_e1259 < _e1265) {
-                                            phi_1782_ = _e1259;
-                                        } else {
-                                            phi_1782_ = _e1265;
-                                        }
-                                        let _e1270 = phi_1782_;
-                                        if (_e1260 < _e1266) {
-                                            phi_1787_ = _e1260;
-                                        } else {
-                                            phi_1787_ = _e1266;
-                                        }
-                                        let _e1273 = phi_1787_;
-                                        if (_e1261 < _e1267) {
-                                            phi_1792_ = _e1261;
-                                        } else {
-                                            phi_1792_ = _e1267;
-                                        }
-                                        let _e1276 = phi_1792_;
-                                        if (_e1259 > _e1265) {
-                                            phi_1800_ = _e1259;
-                                        } else {
-                                            phi_1800_ = _e1265;
-                                        }
-                                        let _e1282 = phi_1800_;
-                                        if (_e1260 > _e1266) {
-                                            phi_1805_ = _e1260;
-                                        } else {
-                                            phi_1805_ = _e1266;
-                                        }
-                                        let _e1285 = phi_1805_;
-                                        if (_e1261 > _e1267) {
-                                            phi_1810_ = _e1261;
-                                        } else {
-                                            phi_1810_ = _e1267;
-                                        }
-                                        let _e1288 = phi_1810_;
-                                        let _e1292 = core_intrinsics_maximum_number_nsz_f32_((_e1270 - _e337), (_e1273 - _e338));
-                                        let _e1293 = core_intrinsics_maximum_number_nsz_f32_(_e1292, (_e1276 - _e339));
-                                        let _e1294 = core_intrinsics_minimum_number_nsz_f32_((_e1282 + _e337), (_e1285 + _e338));
-                                        let _e1295 = core_intrinsics_minimum_number_nsz_f32_(_e1294, (_e1288 + _e339));
-                                        if (_e1293 > -300000000000000000000000000000000000000f) {
-                                            phi_1822_ = _e1293;
-                                        } else {
-                                            phi_1822_ = -300000000000000000000000000000000000000f;
-                                        }
-                                        let _e1298 = phi_1822_;
-                                        if (_e1295 < 300000000000000000000000000000000000000f) {
-                                            phi_1827_ = _e1295;
-                                        } else {
-                                            phi_1827_ = 300000000000000000000000000000000000000f;
-                                        }
-                                        let _e1301 = phi_1827_;
-                                        if (_e1171 < _e1298) {
-                                            phi_1832_ = _e1298;
-                                        } else {
-                                            phi_1832_ = _e1171;
-                                        }
-                                        let _e1304 = phi_1832_;
-                                        if (_e1304 > _e1301) {
-                                            phi_1837_ = _e1301;
-                                        } else {
-                                            phi_1837_ = _e1304;
-                                        }
-                                        let _e1307 = phi_1837_;
-                                        phi_1842_ = lt_bvh_triangle_Intersection(_e1307, (_e1103 / _e1162), (_e1124 / _e1162), (_e1298 <= _e1301));
-                                    }
-                                    let _e1313 = phi_1842_;
-                                    phi_1843_ = _e1313;
-                                    phi_1844_ = _e1165;
-                                } else {
-                                    phi_1843_ = lt_bvh_triangle_Intersection();
-                                    phi_1844_ = true;
-                                }
-                                let _e1315 = phi_1843_;
-                                let _e1317 = phi_1844_;
-                                if _e1317 {
-                                    phi_1848_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_1848_ = _e1315;
-                                }
-                                let _e1319 = phi_1848_;
-                                if _e1319.is_hit {
-                                    if (_e1319.t > 0f) {
-                                        if (_e1319.t < _e130) {
-                                            let _e1326 = triangles.member[(0u + _e972)].i0_;
-                                            let _e1328 = ((_e1326 & 2147483648u) == 0u);
-                                            if _e1328 {
-                                                phi_2066_ = false;
-                                                phi_2067_ = false;
+                                        let _e1164 = ((((_e1075 * (_e371 * _e988.z)) + (_e1096 * (_e371 * _e1016.z))) + (_e1117 * (_e371 * _e1044.z))) / _e1155);
+                                        if (_e1164 > 0f) {
+                                            if (_e1164 < _e135) {
+                                                let _e1168 = triangles.member[(0u + _e965)].v0_;
+                                                let _e1170 = triangles.member[(0u + _e965)].v1_;
+                                                if (_e1168.x < _e1170.x) {
+                                                    phi_1723_ = _e1168.x;
+                                                } else {
+                                                    phi_1723_ = _e1170.x;
+                                                }
+                                                let _e1177 = phi_1723_;
+                                                if (_e1168.y < _e1170.y) {
+                                                    phi_1732_ = _e1168.y;
+                                                } else {
+                                                    phi_1732_ = _e1170.y;
+                                                }
+                                                let _e1184 = phi_1732_;
+                                                if (_e1168.z < _e1170.z) {
+                                                    phi_1741_ = _e1168.z;
+                                                } else {
+                                                    phi_1741_ = _e1170.z;
+                                                }
+                                                let _e1191 = phi_1741_;
+                                                let _e1193 = triangles.member[(0u + _e965)].v2_;
+                                                if (_e1177 < _e1193.x) {
+                                                    phi_1750_ = _e1177;
+                                                } else {
+                                                    phi_1750_ = _e1193.x;
+                                                }
+                                                let _e1198 = phi_1750_;
+                                                if (_e1184 < _e1193.y) {
+                                                    phi_1757_ = _e1184;
+                                                } else {
+                                                    phi_1757_ = _e1193.y;
+                                                }
+                                                let _e1203 = phi_1757_;
+                                                if (_e1191 < _e1193.z) {
+                                                    phi_1764_ = _e1191;
+                                                } else {
+                                                    phi_1764_ = _e1193.z;
+                                                }
+                                                let _e1208 = phi_1764_;
+                                                let _e1210 = triangles.member[(0u + _e965)].v0_;
+                                                let _e1212 = triangles.member[(0u + _e965)].v1_;
+                                                if (_e1210.x > _e1212.x) {
+                                                    phi_1777_ = _e1210.x;
+                                                } else {
+                                                    phi_1777_ = _e1212.x;
+                                                }
+                                                let _e1219 = phi_1777_;
+                                                if (_e1210.y > _e1212.y) {
+                                                    phi_1786_ = _e1210.y;
+                                                } else {
+                                                    phi_1786_ = _e1212.y;
+                                                }
+                                                let _e1226 = phi_1786_;
+                                                if (_e1210.z > _e1212.z) {
+                                                    phi_1795_ = _e1210.z;
+                                                } else {
+                                                    phi_1795_ = _e1212.z;
+                                                }
+                                                let _e1233 = phi_1795_;
+                                                let _e1235 = triangles.member[(0u + _e965)].v2_;
+                                                if (_e1219 > _e1235.x) {
+                                                    phi_1804_ = _e1219;
+                                                } else {
+                                                    phi_1804_ = _e1235.x;
+                                                }
+                                                let _e1240 = phi_1804_;
+                                                if (_e1226 > _e1235.y) {
+                                                    phi_1811_ = _e1226;
+                                                } else {
+                                                    phi_1811_ = _e1235.y;
+                                                }
+                                                let _e1245 = phi_1811_;
+                                                if (_e1233 > _e1235.z) {
+                                                    phi_1818_ = _e1233;
+                                                } else {
+                                                    phi_1818_ = _e1235.z;
+                                                }
+                                                let _e1250 = phi_1818_;
+                                                let _e1254 = ((_e1198 - _e127) * _e284);
+                                                let _e1255 = ((_e1203 - _e129) * _e294);
+                                                let _e1256 = ((_e1208 - _e131) * _e304);
+                                                let _e1260 = ((_e1240 - _e127) * _e284);
+                                                let _e1261 = ((_e1245 - _e129) * _e294);
+                                                let _e1262 = ((_e1250 - _e131) * _e304);
+                                                if (_e1254 < _e1260) {
+                                                    phi_1835_ = _e1254;
+                                                } else {
+                                                    phi_1835_ = _e1260;
+                                                }
+                                                let _e1265 = phi_1835_;
+                                                if (_e1255 < _e1261) {
+                                                    phi_1840_ = _e1255;
+                                                } else {
+                                                    phi_1840_ = _e1261;
+                                                }
+                                                let _e1268 = phi_1840_;
+                                                if (_e1256 < _e1262) {
+                                                    phi_1845_ = _e1256;
+                                                } else {
+                                                    phi_1845_ = _e1262;
+                                                }
+                                                let _e1271 = phi_1845_;
+                                                if (_e1254 > _e1260) {
+                                                    phi_1853_ = _e1254;
+                                                } else {
+                                                    phi_1853_ = _e1260;
+                                                }
+                                                let _e1277 = phi_1853_;
+                                                if (_e1255 > _e1261) {
+                                                    phi_1858_ = _e1255;
+                                                } else {
+                                                    phi_1858_ = _e1261;
+                                                }
+                                                let _e1280 = phi_1858_;
+                                                if (_e1256 > _e1262) {
+                                                    phi_1863_ = _e1256;
+                                                } else {
+                                                    phi_1863_ = _e1262;
+                                                }
+                                                let _e1283 = phi_1863_;
+                                                let _e1287 = core_intrinsics_maximum_number_nsz_f32_((_e1265 - _e339), (_e1268 - _e340));
+                                                let _e1288 = core_intrinsics_maximum_number_nsz_f32_(_e1287, (_e1271 - _e341));
+                                                let _e1289 = core_intrinsics_minimum_number_nsz_f32_((_e1277 + _e339), (_e1280 + _e340));
+                                                let _e1290 = core_intrinsics_minimum_number_nsz_f32_(_e1289, (_e1283 + _e341));
+                                                if (_e1288 > -300000000000000000000000000000000000000f) {
+                                                    phi_1875_ = _e1288;
+                                                } else {
+                                                    phi_1875_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1293 = phi_1875_;
+                                                if (_e1290 < 300000000000000000000000000000000000000f) {
+                                                    phi_1880_ = _e1290;
+                                                } else {
+                                                    phi_1880_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1296 = phi_1880_;
+                                                if (_e1164 < _e1293) {
+                                                    phi_1885_ = _e1293;
+                                                } else {
+                                                    phi_1885_ = _e1164;
+                                                }
+                                                let _e1299 = phi_1885_;
+                                                if (_e1299 > _e1296) {
+                                                    phi_1890_ = _e1296;
+                                                } else {
+                                                    phi_1890_ = _e1299;
+                                                }
+                                                let _e1302 = phi_1890_;
+                                                phi_1895_ = lt_bvh_triangle_Intersection(_e1302, (_e1096 / _e1155), (_e1117 / _e1155), (_e1293 <= _e1296));
+                                                phi_1896_ = false;
                                             } else {
-                                                if (_e972 < _e74) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1335 = triangles.member[(0u + _e972)].i0_;
-                                                let _e1336 = (_e1335 & 2147483647u);
-                                                let _e1338 = triangles.member[(0u + _e972)].i1_;
-                                                let _e1340 = triangles.member[(0u + _e972)].i2_;
-                                                if (_e1336 < _e83) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1344 = vertices.member[(0u + _e1336)];
-                                                if (_e1338 < _e83) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1348 = vertices.member[(0u + _e1338)];
-                                                if (_e1340 < _e83) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1352 = vertices.member[(0u + _e1340)];
-                                                let _e1353 = array<abi_Vertex, 3>(_e1344, _e1348, _e1352);
-                                                local_1 = array<abi_Vertex, 3>(abi_Vertex(_e1353[0].u, _e1353[0].v, _e1353[0].normal, _e1353[0].color, _e1353[0].material), abi_Vertex(_e1353[1].u, _e1353[1].v, _e1353[1].normal, _e1353[1].color, _e1353[1].material), abi_Vertex(_e1353[2].u, _e1353[2].v, _e1353[2].normal, _e1353[2].color, _e1353[2].material));
-                                                let _e1378 = local_1[0u].material;
-                                                if (_e1378 < arrayLength((&materials.member))) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1382 = materials.member[(0u + _e1378)];
-                                                if ((_e1382.flags & 1u) == 1u) {
-                                                    let _e1386 = lt_shaders_surface_barycentric_weights(_e1319.u, _e1319.v);
-                                                    if (_e1382.cutoff <= 0f) {
-                                                        phi_2060_ = true;
-                                                    } else {
-                                                        let _e1391 = lt_shaders_surface_vertex_color((&local_1), _e1386);
-                                                        let _e1393 = (_e1382.base_color.w * _e1391.w);
-                                                        if (_e1382.alpha_size == 0u) {
-                                                            phi_2057_ = _e1393;
-                                                        } else {
-                                                            local.offset = _e1382.alpha_offset;
-                                                            local.size = _e1382.alpha_size;
-                                                            local.flags = _e1382.flags;
-                                                            let _e1402 = lt_shaders_surface_texture_coordinate((&local_1), _e1386);
-                                                            let _e1405 = _lt_shaders_texture_TextureView_quad((&local), _e1402.x, _e1402.y);
-                                                            let _e1409 = (_e1405.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1409 < _e89) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1413 = alpha_texels.member[(0u + _e1409)];
-                                                            let _e1429 = (_e1405.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1429 < _e89) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1433 = alpha_texels.member[(0u + _e1429)];
-                                                            let _e1450 = (_e1405.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1450 < _e89) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1454 = alpha_texels.member[(0u + _e1450)];
-                                                            let _e1471 = (_e1405.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1471 < _e89) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1475 = alpha_texels.member[(0u + _e1471)];
-                                                            phi_2057_ = (_e1393 * (((((f32(((_e1413 >> bitcast<u32>((((_e1405.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1405.weights.x) + ((f32(((_e1433 >> bitcast<u32>((((_e1405.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1405.weights.y)) + ((f32(((_e1454 >> bitcast<u32>((((_e1405.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1405.weights.z)) + ((f32(((_e1475 >> bitcast<u32>((((_e1405.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1405.weights.w)));
-                                                        }
-                                                        let _e1491 = phi_2057_;
-                                                        phi_2060_ = (_e1491 >= _e1382.cutoff);
-                                                    }
-                                                    let _e1495 = phi_2060_;
-                                                    phi_2061_ = _e1495;
-                                                } else {
-                                                    phi_2061_ = false;
-                                                }
-                                                let _e1497 = phi_2061_;
-                                                if _e1497 {
-                                                    phi_2065_ = false;
-                                                } else {
-                                                    phi_2065_ = true;
-                                                }
-                                                let _e1499 = phi_2065_;
-                                                phi_2066_ = _e1499;
-                                                phi_2067_ = _e1497;
+                                                phi_1895_ = lt_bvh_triangle_Intersection();
+                                                phi_1896_ = true;
                                             }
-                                            let _e1501 = phi_2066_;
-                                            let _e1503 = phi_2067_;
-                                            phi_2068_ = _e1501;
-                                            phi_2069_ = _e1328;
-                                            phi_2070_ = _e1503;
+                                            let _e1308 = phi_1895_;
+                                            let _e1310 = phi_1896_;
+                                            phi_1897_ = _e1308;
+                                            phi_1898_ = _e1310;
                                         } else {
-                                            phi_2068_ = true;
-                                            phi_2069_ = false;
-                                            phi_2070_ = false;
+                                            phi_1897_ = lt_bvh_triangle_Intersection();
+                                            phi_1898_ = true;
                                         }
-                                        let _e1505 = phi_2068_;
-                                        let _e1507 = phi_2069_;
-                                        let _e1509 = phi_2070_;
-                                        phi_2071_ = _e1505;
-                                        phi_2072_ = _e1507;
-                                        phi_2073_ = _e1509;
-                                    } else {
-                                        phi_2071_ = true;
-                                        phi_2072_ = false;
-                                        phi_2073_ = false;
+                                        let _e1312 = phi_1897_;
+                                        let _e1314 = phi_1898_;
+                                        if _e1314 {
+                                        }
+                                        phi_1902_ = _e1312;
+                                        phi_1903_ = _e1314;
                                     }
-                                    let _e1511 = phi_2071_;
-                                    let _e1513 = phi_2072_;
-                                    let _e1515 = phi_2073_;
-                                    phi_2074_ = _e1511;
-                                    phi_2075_ = _e1513;
-                                    phi_2076_ = _e1515;
+                                    let _e1316 = phi_1902_;
+                                    let _e1318 = phi_1903_;
+                                    phi_1904_ = _e1316;
+                                    phi_1905_ = _e1158;
+                                    phi_1906_ = _e1318;
                                 } else {
-                                    phi_2074_ = true;
-                                    phi_2075_ = false;
-                                    phi_2076_ = false;
+                                    phi_1904_ = lt_bvh_triangle_Intersection();
+                                    phi_1905_ = true;
+                                    phi_1906_ = false;
                                 }
-                                let _e1517 = phi_2074_;
-                                let _e1519 = phi_2075_;
-                                let _e1521 = phi_2076_;
-                                if _e1517 {
-                                    phi_2080_ = false;
-                                    phi_2081_ = false;
+                                let _e1320 = phi_1904_;
+                                let _e1322 = phi_1905_;
+                                let _e1324 = phi_1906_;
+                                if _e1322 {
+                                    phi_1910_ = true;
                                 } else {
-                                    phi_2080_ = _e1519;
-                                    phi_2081_ = _e1521;
+                                    phi_1910_ = _e1324;
                                 }
-                                let _e1523 = phi_2080_;
-                                let _e1525 = phi_2081_;
-                                phi_1398_ = (_e963 & (_e963 - 1u));
-                                phi_2082_ = _e1517;
-                                phi_2083_ = _e1523;
-                                phi_2084_ = _e1525;
+                                let _e1326 = phi_1910_;
+                                if _e1326 {
+                                    phi_1914_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_1914_ = _e1320;
+                                }
+                                let _e1328 = phi_1914_;
+                                if _e1328.is_hit {
+                                    if (_e1328.t > 0f) {
+                                        if (_e1328.t < _e135) {
+                                            let _e1335 = triangles.member[(0u + _e965)].i0_;
+                                            let _e1337 = ((_e1335 & 2147483648u) == 0u);
+                                            if _e1337 {
+                                                phi_2141_ = false;
+                                                phi_2142_ = false;
+                                            } else {
+                                                if (_e965 < _e78) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1344 = triangles.member[(0u + _e965)].i0_;
+                                                let _e1345 = (_e1344 & 2147483647u);
+                                                let _e1347 = triangles.member[(0u + _e965)].i1_;
+                                                let _e1349 = triangles.member[(0u + _e965)].i2_;
+                                                if (_e1345 < _e87) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1353 = vertices.member[(0u + _e1345)];
+                                                if (_e1347 < _e87) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1357 = vertices.member[(0u + _e1347)];
+                                                if (_e1349 < _e87) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1361 = vertices.member[(0u + _e1349)];
+                                                let _e1362 = array<abi_Vertex, 3>(_e1353, _e1357, _e1361);
+                                                if (_e1362[0].material < arrayLength((&materials.member))) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1368 = materials.member[(0u + _e1362[0].material)];
+                                                if ((_e1368.flags & 1u) == 1u) {
+                                                    let _e1373 = ((1f - _e1328.u) - _e1328.v);
+                                                    if (_e1368.cutoff <= 0f) {
+                                                        phi_2135_ = true;
+                                                    } else {
+                                                        let _e1404 = (_e1368.base_color.w * ((((f32((_e1362[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1373) + ((f32((_e1362[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1328.u)) + ((f32((_e1362[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1328.v)));
+                                                        if (_e1368.alpha_size == 0u) {
+                                                            phi_2132_ = _e1404;
+                                                        } else {
+                                                            local.offset = _e1368.alpha_offset;
+                                                            local.size = _e1368.alpha_size;
+                                                            local.flags = _e1368.flags;
+                                                            let _e1435 = _lt_shaders_texture_TextureView_quad((&local), (((_e1362[0].u * _e1373) + (_e1362[1].u * _e1328.u)) + (_e1362[2].u * _e1328.v)), (((_e1362[0].v * _e1373) + (_e1362[1].v * _e1328.u)) + (_e1362[2].v * _e1328.v)));
+                                                            let _e1439 = (_e1435.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1439 < _e93) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1443 = alpha_texels.member[(0u + _e1439)];
+                                                            let _e1459 = (_e1435.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1459 < _e93) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1463 = alpha_texels.member[(0u + _e1459)];
+                                                            let _e1480 = (_e1435.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1480 < _e93) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1484 = alpha_texels.member[(0u + _e1480)];
+                                                            let _e1501 = (_e1435.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1501 < _e93) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1505 = alpha_texels.member[(0u + _e1501)];
+                                                            phi_2132_ = (_e1404 * (((((f32(((_e1443 >> bitcast<u32>((((_e1435.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.x) + ((f32(((_e1463 >> bitcast<u32>((((_e1435.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.y)) + ((f32(((_e1484 >> bitcast<u32>((((_e1435.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.z)) + ((f32(((_e1505 >> bitcast<u32>((((_e1435.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.w)));
+                                                        }
+                                                        let _e1521 = phi_2132_;
+                                                        phi_2135_ = (_e1521 >= _e1368.cutoff);
+                                                    }
+                                                    let _e1525 = phi_2135_;
+                                                    phi_2136_ = _e1525;
+                                                } else {
+                                                    phi_2136_ = false;
+                                                }
+                                                let _e1527 = phi_2136_;
+                                                if _e1527 {
+                                                    phi_2140_ = false;
+                                                } else {
+                                                    phi_2140_ = true;
+                                                }
+                                                let _e1529 = phi_2140_;
+                                                phi_2141_ = _e1529;
+                                                phi_2142_ = _e1527;
+                                            }
+                                            let _e1531 = phi_2141_;
+                                            let _e1533 = phi_2142_;
+                                            phi_2143_ = _e1531;
+                                            phi_2144_ = _e1337;
+                                            phi_2145_ = _e1533;
+                                        } else {
+                                            phi_2143_ = true;
+                                            phi_2144_ = false;
+                                            phi_2145_ = false;
+                                        }
+                                        let _e1535 = phi_2143_;
+                                        let _e1537 = phi_2144_;
+                                        let _e1539 = phi_2145_;
+                                        phi_2146_ = _e1535;
+                                        phi_2147_ = _e1537;
+                                        phi_2148_ = _e1539;
+                                    } else {
+                                        phi_2146_ = true;
+                                        phi_2147_ = false;
+                                        phi_2148_ = false;
+                                    }
+                                    let _e1541 = phi_2146_;
+                                    let _e1543 = phi_2147_;
+                                    let _e1545 = phi_2148_;
+                                    phi_2149_ = _e1541;
+                                    phi_2150_ = _e1543;
+                                    phi_2151_ = _e1545;
+                                } else {
+                                    phi_2149_ = true;
+                                    phi_2150_ = false;
+                                    phi_2151_ = false;
+                                }
+                                let _e1547 = phi_2149_;
+                                let _e1549 = phi_2150_;
+                                let _e1551 = phi_2151_;
+                                if _e1547 {
+                                    phi_2155_ = false;
+                                    phi_2156_ = false;
+                                } else {
+                                    phi_2155_ = _e1549;
+                                    phi_2156_ = _e1551;
+                                }
+                                let _e1553 = phi_2155_;
+                                let _e1555 = phi_2156_;
+                                phi_1443_ = (_e956 & (_e956 - 1u));
+                                phi_2157_ = _e1547;
+                                phi_2158_ = _e1553;
+                                phi_2159_ = _e1555;
                             }
-                            let _e1527 = phi_1398_;
-                            let _e1529 = phi_2082_;
-                            let _e1531 = phi_2083_;
-                            let _e1533 = phi_2084_;
-                            local_8 = _e1531;
-                            local_9 = _e1533;
+                            let _e1557 = phi_1443_;
+                            let _e1559 = phi_2157_;
+                            let _e1561 = phi_2158_;
+                            let _e1563 = phi_2159_;
+                            local_7 = _e1561;
+                            local_8 = _e1563;
                             continue;
                             continuing {
-                                phi_1397_ = _e1527;
-                                break if !(_e1529);
+                                phi_1442_ = _e1557;
+                                break if !(_e1559);
                             }
                         }
-                        let _e1536 = local_6;
-                        if _e1536 {
-                            let _e1538 = local_2.group_mask;
-                            if ((_e1538 & 4278190080u) == 0u) {
-                                let _e1542 = local_2.len;
-                                if (_e1542 == 0u) {
-                                    phi_2126_ = false;
+                        let _e1566 = local_5;
+                        if _e1566 {
+                            let _e1568 = local_1.group_mask;
+                            if ((_e1568 & 4278190080u) == 0u) {
+                                let _e1572 = local_1.len;
+                                if (_e1572 == 0u) {
+                                    phi_2201_ = false;
                                 } else {
-                                    let _e1546 = local_2.len;
-                                    local_2.len = (_e1546 - 1u);
-                                    let _e1549 = local_2.len;
-                                    if (_e1549 < 32u) {
+                                    let _e1576 = local_1.len;
+                                    local_1.len = (_e1576 - 1u);
+                                    let _e1579 = local_1.len;
+                                    if (_e1579 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1554 = local_2.first[(0u + _e1549)];
-                                    local_2.group = _e1554;
-                                    let _e1557 = local_2.len;
-                                    if (_e1557 < 32u) {
+                                    let _e1584 = local_1.first[(0u + _e1579)];
+                                    local_1.group = _e1584;
+                                    let _e1587 = local_1.len;
+                                    if (_e1587 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1562 = local_2.mask[(0u + _e1557)];
-                                    local_2.group_mask = _e1562;
-                                    phi_2126_ = true;
+                                    let _e1592 = local_1.mask[(0u + _e1587)];
+                                    local_1.group_mask = _e1592;
+                                    phi_2201_ = true;
                                 }
-                                let _e1565 = phi_2126_;
-                                phi_2127_ = _e1565;
+                                let _e1595 = phi_2201_;
+                                phi_2202_ = _e1595;
                             } else {
-                                phi_2127_ = true;
+                                phi_2202_ = true;
                             }
-                            let _e1567 = phi_2127_;
-                            if _e1567 {
-                                let _e1569 = local_2.group_mask;
-                                let _e1575 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1569)), 32u, (_e1569 == 0u)));
-                                let _e1579 = local_2.group_mask;
-                                let _e1593 = local_2.group_mask;
-                                local_2.group_mask = (_e1593 & ~((1u << bitcast<u32>((_e1575 & 31u)))));
-                                let _e1596 = local_2.group;
-                                phi_2158_ = (_e1596 + countOneBits(((_e1579 & ~((4294967295u << bitcast<u32>((((_e1575 - 24u) ^ _e389) & 31u))))) & 255u)));
+                            let _e1597 = phi_2202_;
+                            if _e1597 {
+                                let _e1599 = local_1.group_mask;
+                                let _e1605 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1599)), 32u, (_e1599 == 0u)));
+                                let _e1609 = local_1.group_mask;
+                                let _e1623 = local_1.group_mask;
+                                local_1.group_mask = (_e1623 & ~((1u << bitcast<u32>((_e1605 & 31u)))));
+                                let _e1626 = local_1.group;
+                                phi_2233_ = (_e1626 + countOneBits(((_e1609 & ~((4294967295u << bitcast<u32>((((_e1605 - 24u) ^ _e382) & 31u))))) & 255u)));
                             } else {
-                                phi_2158_ = 4294967295u;
+                                phi_2233_ = 4294967295u;
                             }
-                            let _e1599 = phi_2158_;
-                            phi_2159_ = _e1599;
-                            phi_2160_ = false;
-                            phi_2161_ = false;
+                            let _e1629 = phi_2233_;
+                            phi_2234_ = _e1629;
+                            phi_2235_ = false;
+                            phi_2236_ = false;
                         } else {
-                            phi_2159_ = u32();
-                            let _e1804 = local_8;
-                            phi_2160_ = _e1804;
-                            let _e1807 = local_9;
-                            phi_2161_ = _e1807;
+                            phi_2234_ = u32();
+                            let _e1841 = local_7;
+                            phi_2235_ = _e1841;
+                            let _e1844 = local_8;
+                            phi_2236_ = _e1844;
                         }
-                        let _e1601 = phi_2159_;
-                        let _e1603 = phi_2160_;
-                        let _e1605 = phi_2161_;
-                        phi_1068_ = _e1601;
-                        let _e1811 = local_10;
-                        phi_2162_ = _e1811;
-                        phi_2163_ = false;
-                        phi_2164_ = _e1603;
-                        phi_2165_ = _e1605;
+                        let _e1631 = phi_2234_;
+                        let _e1633 = phi_2235_;
+                        let _e1635 = phi_2236_;
+                        phi_1113_ = _e1631;
+                        let _e1848 = local_9;
+                        phi_2237_ = _e1848;
+                        phi_2238_ = false;
+                        phi_2239_ = _e1633;
+                        phi_2240_ = _e1635;
                     } else {
-                        phi_1068_ = u32();
-                        phi_2162_ = false;
-                        phi_2163_ = true;
-                        phi_2164_ = false;
-                        phi_2165_ = false;
+                        phi_1113_ = u32();
+                        phi_2237_ = false;
+                        phi_2238_ = true;
+                        phi_2239_ = false;
+                        phi_2240_ = false;
                     }
-                    let _e1607 = phi_1068_;
-                    let _e1609 = phi_2162_;
-                    let _e1611 = phi_2163_;
-                    let _e1613 = phi_2164_;
-                    let _e1615 = phi_2165_;
-                    local_7 = _e1611;
-                    local_11 = _e1613;
-                    local_12 = _e1615;
+                    let _e1637 = phi_1113_;
+                    let _e1639 = phi_2237_;
+                    let _e1641 = phi_2238_;
+                    let _e1643 = phi_2239_;
+                    let _e1645 = phi_2240_;
+                    local_6 = _e1641;
+                    local_10 = _e1643;
+                    local_11 = _e1645;
                     continue;
                     continuing {
-                        phi_1067_ = _e1607;
-                        break if !(_e1609);
+                        phi_1112_ = _e1637;
+                        break if !(_e1639);
                     }
                 }
-                let _e1618 = local_7;
-                if _e1618 {
-                    phi_2169_ = false;
-                    phi_2170_ = false;
+                let _e1648 = local_6;
+                if _e1648 {
+                    phi_2244_ = false;
+                    phi_2245_ = false;
                 } else {
-                    let _e1818 = local_11;
-                    phi_2169_ = _e1818;
-                    let _e1821 = local_12;
-                    phi_2170_ = _e1821;
+                    let _e1855 = local_10;
+                    phi_2244_ = _e1855;
+                    let _e1858 = local_11;
+                    phi_2245_ = _e1858;
                 }
-                let _e1620 = phi_2169_;
-                let _e1622 = phi_2170_;
-                if _e1620 {
-                    phi_2174_ = true;
+                let _e1650 = phi_2244_;
+                let _e1652 = phi_2245_;
+                if _e1650 {
+                    phi_2249_ = true;
                 } else {
-                    phi_2174_ = _e1622;
+                    phi_2249_ = _e1652;
                 }
-                let _e1624 = phi_2174_;
-                if _e1624 {
-                    phi_2178_ = true;
+                let _e1654 = phi_2249_;
+                if _e1654 {
+                    phi_2253_ = true;
                 } else {
-                    phi_2178_ = false;
+                    phi_2253_ = false;
                 }
-                let _e1626 = phi_2178_;
-                phi_2179_ = _e1626;
+                let _e1656 = phi_2253_;
+                phi_2254_ = _e1656;
             }
-            let _e1628 = phi_2179_;
-            phi_2180_ = _e1628;
-            phi_2181_ = _e197;
+            let _e1658 = phi_2254_;
+            phi_2255_ = _e1658;
+            phi_2256_ = _e208;
         } else {
-            phi_2180_ = bool();
-            phi_2181_ = true;
+            phi_2255_ = bool();
+            phi_2256_ = true;
         }
-        let _e1630 = phi_2180_;
-        let _e1632 = phi_2181_;
-        if _e1632 {
-            phi_2185_ = false;
+        let _e1660 = phi_2255_;
+        let _e1662 = phi_2256_;
+        if _e1662 {
+            phi_2260_ = false;
         } else {
-            phi_2185_ = _e1630;
+            phi_2260_ = _e1660;
         }
-        let _e1634 = phi_2185_;
-        if _e1634 {
-            phi_2189_ = 0f;
+        let _e1664 = phi_2260_;
+        if _e1664 {
+            phi_2264_ = 0f;
         } else {
-            phi_2189_ = 1f;
+            phi_2264_ = 1f;
         }
-        let _e1636 = phi_2189_;
-        if (_e99 < arrayLength((&visibility.member))) {
+        let _e1666 = phi_2264_;
+        if (_e106 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e99)] = _e1636;
+        visibility.member[(0u + _e106)] = _e1666;
     }
     return;
 }

@@ -4,14 +4,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -28,11 +20,19 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_9 {
+struct type_7 {
     member: array<lt_bvh_Triangle>,
 }
 
-struct type_13 {
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_11 {
     member: array<abi_Vertex>,
 }
 
@@ -47,11 +47,11 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<abi_Material>,
 }
 
-struct type_22 {
+struct type_20 {
     member: array<u32>,
 }
 
@@ -77,7 +77,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_42 {
+struct type_38 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -90,11 +90,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_51 {
+struct type_47 {
     member: array<abi_Sample>,
 }
 
-struct type_55 {
+struct type_51 {
     member: array<f32>,
 }
 
@@ -119,15 +119,8 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_63 {
+struct type_59 {
     member: array<lt_bvh_Node>,
-}
-
-struct lt_bvh_Ray {
-    origin: vec3<f32>,
-    tmin: f32,
-    direction: vec3<f32>,
-    tmax: f32,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
@@ -155,2417 +148,2642 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_69 {
+struct type_65 {
     member: abi_ShadowParams,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_51;
+var<storage> samples: type_47;
 @group(0) @binding(6) 
-var<storage> instances: type_42;
+var<storage> instances: type_38;
 @group(0) @binding(0) 
-var<uniform> p: type_69;
+var<uniform> p: type_65;
 @group(0) @binding(2) 
-var<storage> nodes: type_63;
+var<storage> nodes: type_59;
 @group(0) @binding(3) 
-var<storage> triangles: type_9;
+var<storage> triangles: type_7;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_55;
+var<storage, read_write> visibility: type_51;
 @group(0) @binding(5) 
-var<storage> list: type_22;
+var<storage> list: type_20;
 @group(0) @binding(7) 
-var<storage> vertices: type_13;
+var<storage> vertices: type_11;
 @group(0) @binding(8) 
-var<storage> materials: type_18;
+var<storage> materials: type_16;
 @group(0) @binding(9) 
-var<storage> alpha_texels: type_22;
+var<storage> alpha_texels: type_20;
 
-fn lt_shaders_texture_unorm_bytes(param: u32) -> vec4<f32> {
-    let _e75 = (1f / 255f);
-    return vec4<f32>((f32((param & 255u)) * _e75), (f32(((param >> bitcast<u32>(8i)) & 255u)) * _e75), (f32(((param >> bitcast<u32>(16i)) & 255u)) * _e75), (f32((param >> bitcast<u32>(24i))) * _e75));
-}
+fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
+    var phi_235_: f32;
+    var phi_240_: f32;
+    var phi_241_: bool;
+    var phi_242_: f32;
+    var phi_243_: bool;
+    var phi_247_: f32;
+    var phi_273_: f32;
+    var phi_278_: f32;
+    var phi_279_: bool;
+    var phi_280_: f32;
+    var phi_281_: bool;
+    var phi_285_: f32;
+    var phi_293_: f32;
+    var phi_294_: f32;
+    var phi_295_: f32;
+    var phi_304_: f32;
+    var phi_305_: f32;
+    var phi_323_: u32;
+    var phi_337_: u32;
+    var phi_344_: u32;
+    var phi_349_: u32;
+    var phi_355_: u32;
+    var phi_360_: u32;
+    var phi_362_: texture_Axis;
+    var phi_390_: f32;
+    var phi_395_: f32;
+    var phi_396_: bool;
+    var phi_397_: f32;
+    var phi_398_: bool;
+    var phi_402_: f32;
+    var phi_428_: f32;
+    var phi_433_: f32;
+    var phi_434_: bool;
+    var phi_435_: f32;
+    var phi_436_: bool;
+    var phi_440_: f32;
+    var phi_448_: f32;
+    var phi_449_: f32;
+    var phi_450_: f32;
+    var phi_459_: f32;
+    var phi_460_: f32;
+    var phi_478_: u32;
+    var phi_492_: u32;
+    var phi_499_: u32;
+    var phi_504_: u32;
+    var phi_510_: u32;
+    var phi_515_: u32;
+    var phi_517_: texture_Axis;
 
-fn lt_shaders_surface_vertex_color(param_1: ptr<function, array<abi_Vertex, 3>>, param_2: vec3<f32>) -> vec4<f32> {
-    let _e65 = (*param_1)[0u].color;
-    let _e66 = lt_shaders_texture_unorm_bytes(_e65);
-    let _e78 = (*param_1)[1u].color;
-    let _e79 = lt_shaders_texture_unorm_bytes(_e78);
-    let _e95 = (*param_1)[2u].color;
-    let _e96 = lt_shaders_texture_unorm_bytes(_e95);
-    return vec4<f32>((((_e66.x * param_2.x) + (_e79.x * param_2.y)) + (_e96.x * param_2.z)), (((_e66.y * param_2.x) + (_e79.y * param_2.y)) + (_e96.y * param_2.z)), (((_e66.z * param_2.x) + (_e79.z * param_2.y)) + (_e96.z * param_2.z)), (((_e66.w * param_2.x) + (_e79.w * param_2.y)) + (_e96.w * param_2.z)));
-}
-
-fn lt_shaders_surface_texture_coordinate(param_3: ptr<function, array<abi_Vertex, 3>>, param_4: vec3<f32>) -> vec2<f32> {
-    let _e65 = (*param_3)[0u].u;
-    let _e68 = (*param_3)[0u].v;
-    let _e74 = (*param_3)[1u].u;
-    let _e77 = (*param_3)[1u].v;
-    let _e85 = (*param_3)[2u].u;
-    let _e88 = (*param_3)[2u].v;
-    return vec2<f32>((((_e65 * param_4.x) + (_e74 * param_4.y)) + (_e85 * param_4.z)), (((_e68 * param_4.x) + (_e77 * param_4.y)) + (_e88 * param_4.z)));
-}
-
-fn lt_shaders_texture_wrap_to_unit(param_5: f32, param_6: u32) -> f32 {
-    var phi_469_: f32;
-    var phi_470_: f32;
-    var phi_471_: f32;
-    var phi_480_: f32;
-    var phi_481_: f32;
-
-    if (param_6 == 0u) {
-        phi_471_ = (param_5 - floor(param_5));
-    } else {
-        if (param_6 == 1u) {
-            let _e70 = (param_5 - (2f * floor((param_5 * 0.5f))));
-            if (_e70 > 1f) {
-                phi_469_ = (2f - _e70);
+    let _e70 = (*param).size;
+    let _e71 = (_e70 & 65535u);
+    let _e73 = (*param).size;
+    let _e75 = (_e73 >> bitcast<u32>(16i));
+    let _e77 = (*param).flags;
+    let _e79 = ((_e77 & 4u) != 0u);
+    let _e81 = (*param).flags;
+    let _e84 = ((_e81 >> bitcast<u32>(4u)) & 3u);
+    if (_e84 == 0u) {
+        if (param_1 > -8388608f) {
+            let _e97 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
+            if (_e97 > param_1) {
+                phi_235_ = 1f;
             } else {
-                phi_469_ = _e70;
+                phi_235_ = 0f;
             }
-            let _e74 = phi_469_;
-            phi_470_ = _e74;
+            let _e100 = phi_235_;
+            if (param_1 < 8388608f) {
+                phi_240_ = (_e97 - _e100);
+                phi_241_ = false;
+            } else {
+                phi_240_ = f32();
+                phi_241_ = true;
+            }
+            let _e103 = phi_240_;
+            let _e105 = phi_241_;
+            phi_242_ = _e103;
+            phi_243_ = _e105;
         } else {
-            phi_470_ = param_5;
+            phi_242_ = f32();
+            phi_243_ = true;
         }
-        let _e76 = phi_470_;
-        phi_471_ = _e76;
-    }
-    let _e78 = phi_471_;
-    if (_e78 > 0f) {
-        if (_e78 < 1f) {
-            phi_480_ = _e78;
+        let _e107 = phi_242_;
+        let _e109 = phi_243_;
+        if _e109 {
+            phi_247_ = param_1;
         } else {
-            phi_480_ = 1f;
+            phi_247_ = _e107;
         }
-        let _e82 = phi_480_;
-        phi_481_ = _e82;
+        let _e111 = phi_247_;
+        phi_295_ = (param_1 - _e111);
     } else {
-        phi_481_ = 0f;
-    }
-    let _e84 = phi_481_;
-    return _e84;
-}
-
-fn lt_shaders_texture_axis(param_7: f32, param_8: u32, param_9: u32, param_10: bool) -> texture_Axis {
-    var phi_407_: u32;
-    var phi_421_: u32;
-    var phi_428_: u32;
-    var phi_433_: u32;
-    var phi_439_: u32;
-    var phi_444_: u32;
-    var phi_446_: texture_Axis;
-
-    let _e65 = lt_shaders_texture_wrap_to_unit(param_7, param_9);
-    let _e66 = (param_8 - 1u);
-    let _e68 = (_e65 * f32(param_8));
-    if param_10 {
-        let _e75 = select(select(u32(_e68), 0u, (_e68 < bitcast<f32>(0u))), 4294967295u, (_e68 > bitcast<f32>(1333788671u)));
-        if (_e66 < _e75) {
-            phi_407_ = _e66;
+        if (_e84 == 1u) {
+            let _e114 = (param_1 * 0.5f);
+            if (_e114 > -8388608f) {
+                let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
+                if (_e126 > _e114) {
+                    phi_273_ = 1f;
+                } else {
+                    phi_273_ = 0f;
+                }
+                let _e129 = phi_273_;
+                if (_e114 < 8388608f) {
+                    phi_278_ = (_e126 - _e129);
+                    phi_279_ = false;
+                } else {
+                    phi_278_ = f32();
+                    phi_279_ = true;
+                }
+                let _e132 = phi_278_;
+                let _e134 = phi_279_;
+                phi_280_ = _e132;
+                phi_281_ = _e134;
+            } else {
+                phi_280_ = f32();
+                phi_281_ = true;
+            }
+            let _e136 = phi_280_;
+            let _e138 = phi_281_;
+            if _e138 {
+                phi_285_ = _e114;
+            } else {
+                phi_285_ = _e136;
+            }
+            let _e140 = phi_285_;
+            let _e142 = (param_1 - (2f * _e140));
+            if (_e142 > 1f) {
+                phi_293_ = (2f - _e142);
+            } else {
+                phi_293_ = _e142;
+            }
+            let _e146 = phi_293_;
+            phi_294_ = _e146;
         } else {
-            phi_407_ = _e75;
+            phi_294_ = param_1;
         }
-        let _e78 = phi_407_;
-        phi_446_ = texture_Axis(_e78, _e78, 0f);
+        let _e148 = phi_294_;
+        phi_295_ = _e148;
+    }
+    let _e150 = phi_295_;
+    if (_e150 > 0f) {
+        if (_e150 < 1f) {
+            phi_304_ = _e150;
+        } else {
+            phi_304_ = 1f;
+        }
+        let _e154 = phi_304_;
+        phi_305_ = _e154;
     } else {
-        let _e80 = (_e68 + 0.5f);
-        let _e87 = select(select(u32(_e80), 0u, (_e80 < bitcast<f32>(0u))), 4294967295u, (_e80 > bitcast<f32>(1333788671u)));
-        if (param_8 < _e87) {
-            phi_421_ = param_8;
-        } else {
-            phi_421_ = _e87;
-        }
-        let _e90 = phi_421_;
-        if (param_9 == 0u) {
-            phi_428_ = _e66;
-        } else {
-            phi_428_ = 0u;
-        }
-        let _e95 = phi_428_;
-        if (param_9 == 0u) {
-            phi_433_ = 0u;
-        } else {
-            phi_433_ = _e66;
-        }
-        let _e98 = phi_433_;
-        if (_e90 == 0u) {
-            phi_439_ = _e95;
-        } else {
-            phi_439_ = (_e90 - 1u);
-        }
-        let _e102 = phi_439_;
-        if (_e90 > _e66) {
-            phi_444_ = _e98;
-        } else {
-            phi_444_ = _e90;
-        }
-        let _e105 = phi_444_;
-        phi_446_ = texture_Axis(_e102, _e105, (_e80 - f32(_e90)));
+        phi_305_ = 0f;
     }
-    let _e108 = phi_446_;
-    return _e108;
-}
-
-fn _lt_shaders_texture_TextureView_quad(param_11: ptr<function, texture_TextureView>, param_12: f32, param_13: f32) -> texture_TexelQuad {
-    let _e65 = (*param_11).size;
-    let _e66 = (_e65 & 65535u);
-    let _e68 = (*param_11).size;
-    let _e72 = (*param_11).flags;
-    let _e74 = ((_e72 & 4u) != 0u);
-    let _e76 = (*param_11).flags;
-    let _e80 = lt_shaders_texture_axis(param_12, _e66, ((_e76 >> bitcast<u32>(4u)) & 3u), _e74);
-    let _e82 = (*param_11).flags;
-    let _e86 = lt_shaders_texture_axis(param_13, (_e68 >> bitcast<u32>(16i)), ((_e82 >> bitcast<u32>(6u)) & 3u), _e74);
-    let _e90 = (*param_11).offset;
-    let _e97 = (*param_11).offset;
-    let _e104 = (*param_11).offset;
-    let _e111 = (*param_11).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e90 + (_e86.low * _e66)) + _e80.low), ((_e97 + (_e86.low * _e66)) + _e80.high), ((_e104 + (_e86.high * _e66)) + _e80.low), ((_e111 + (_e86.high * _e66)) + _e80.high)), vec4<f32>(((1f - _e80.fraction) * (1f - _e86.fraction)), (_e80.fraction * (1f - _e86.fraction)), ((1f - _e80.fraction) * _e86.fraction), (_e80.fraction * _e86.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_14: f32, param_15: f32) -> f32 {
-    var phi_493_: bool;
-    var phi_497_: f32;
-
-    if (param_14 != param_14) {
-        phi_493_ = true;
+    let _e156 = phi_305_;
+    let _e157 = (_e71 - 1u);
+    let _e159 = (_e156 * f32(_e71));
+    if _e79 {
+        let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
+        if (_e157 < _e166) {
+            phi_323_ = _e157;
+        } else {
+            phi_323_ = _e166;
+        }
+        let _e169 = phi_323_;
+        phi_362_ = texture_Axis(_e169, _e169, 0f);
     } else {
-        let _e64 = (param_15 >= param_14);
-        if _e64 {
+        let _e171 = (_e159 + 0.5f);
+        let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
+        if (_e71 < _e178) {
+            phi_337_ = _e71;
+        } else {
+            phi_337_ = _e178;
         }
-        phi_493_ = _e64;
-    }
-    let _e66 = phi_493_;
-    if _e66 {
-        phi_497_ = param_15;
-    } else {
-        phi_497_ = param_14;
-    }
-    let _e68 = phi_497_;
-    return _e68;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_16: f32, param_17: f32) -> f32 {
-    var phi_509_: bool;
-    var phi_513_: f32;
-
-    if (param_16 != param_16) {
-        phi_509_ = true;
-    } else {
-        let _e64 = (param_17 <= param_16);
-        if _e64 {
+        let _e181 = phi_337_;
+        if (_e84 == 0u) {
+            phi_344_ = _e157;
+        } else {
+            phi_344_ = 0u;
         }
-        phi_509_ = _e64;
+        let _e186 = phi_344_;
+        if (_e84 == 0u) {
+            phi_349_ = 0u;
+        } else {
+            phi_349_ = _e157;
+        }
+        let _e189 = phi_349_;
+        if (_e181 == 0u) {
+            phi_355_ = _e186;
+        } else {
+            phi_355_ = (_e181 - 1u);
+        }
+        let _e193 = phi_355_;
+        if (_e181 > _e157) {
+            phi_360_ = _e189;
+        } else {
+            phi_360_ = _e181;
+        }
+        let _e196 = phi_360_;
+        phi_362_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e66 = phi_509_;
-    if _e66 {
-        phi_513_ = param_17;
+    let _e199 = phi_362_;
+    let _e201 = (*param).flags;
+    let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
+    if (_e204 == 0u) {
+        if (param_2 > -8388608f) {
+            let _e217 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
+            if (_e217 > param_2) {
+                phi_390_ = 1f;
+            } else {
+                phi_390_ = 0f;
+            }
+            let _e220 = phi_390_;
+            if (param_2 < 8388608f) {
+                phi_395_ = (_e217 - _e220);
+                phi_396_ = false;
+            } else {
+                phi_395_ = f32();
+                phi_396_ = true;
+            }
+            let _e223 = phi_395_;
+            let _e225 = phi_396_;
+            phi_397_ = _e223;
+            phi_398_ = _e225;
+        } else {
+            phi_397_ = f32();
+            phi_398_ = true;
+        }
+        let _e227 = phi_397_;
+        let _e229 = phi_398_;
+        if _e229 {
+            phi_402_ = param_2;
+        } else {
+            phi_402_ = _e227;
+        }
+        let _e231 = phi_402_;
+        phi_450_ = (param_2 - _e231);
     } else {
-        phi_513_ = param_16;
+        if (_e204 == 1u) {
+            let _e234 = (param_2 * 0.5f);
+            if (_e234 > -8388608f) {
+                let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
+                if (_e246 > _e234) {
+                    phi_428_ = 1f;
+                } else {
+                    phi_428_ = 0f;
+                }
+                let _e249 = phi_428_;
+                if (_e234 < 8388608f) {
+                    phi_433_ = (_e246 - _e249);
+                    phi_434_ = false;
+                } else {
+                    phi_433_ = f32();
+                    phi_434_ = true;
+                }
+                let _e252 = phi_433_;
+                let _e254 = phi_434_;
+                phi_435_ = _e252;
+                phi_436_ = _e254;
+            } else {
+                phi_435_ = f32();
+                phi_436_ = true;
+            }
+            let _e256 = phi_435_;
+            let _e258 = phi_436_;
+            if _e258 {
+                phi_440_ = _e234;
+            } else {
+                phi_440_ = _e256;
+            }
+            let _e260 = phi_440_;
+            let _e262 = (param_2 - (2f * _e260));
+            if (_e262 > 1f) {
+                phi_448_ = (2f - _e262);
+            } else {
+                phi_448_ = _e262;
+            }
+            let _e266 = phi_448_;
+            phi_449_ = _e266;
+        } else {
+            phi_449_ = param_2;
+        }
+        let _e268 = phi_449_;
+        phi_450_ = _e268;
     }
-    let _e68 = phi_513_;
-    return _e68;
+    let _e270 = phi_450_;
+    if (_e270 > 0f) {
+        if (_e270 < 1f) {
+            phi_459_ = _e270;
+        } else {
+            phi_459_ = 1f;
+        }
+        let _e274 = phi_459_;
+        phi_460_ = _e274;
+    } else {
+        phi_460_ = 0f;
+    }
+    let _e276 = phi_460_;
+    let _e277 = (_e75 - 1u);
+    let _e279 = (_e276 * f32(_e75));
+    if _e79 {
+        let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
+        if (_e277 < _e286) {
+            phi_478_ = _e277;
+        } else {
+            phi_478_ = _e286;
+        }
+        let _e289 = phi_478_;
+        phi_517_ = texture_Axis(_e289, _e289, 0f);
+    } else {
+        let _e291 = (_e279 + 0.5f);
+        let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
+        if (_e75 < _e298) {
+            phi_492_ = _e75;
+        } else {
+            phi_492_ = _e298;
+        }
+        let _e301 = phi_492_;
+        if (_e204 == 0u) {
+            phi_499_ = _e277;
+        } else {
+            phi_499_ = 0u;
+        }
+        let _e306 = phi_499_;
+        if (_e204 == 0u) {
+            phi_504_ = 0u;
+        } else {
+            phi_504_ = _e277;
+        }
+        let _e309 = phi_504_;
+        if (_e301 == 0u) {
+            phi_510_ = _e306;
+        } else {
+            phi_510_ = (_e301 - 1u);
+        }
+        let _e313 = phi_510_;
+        if (_e301 > _e277) {
+            phi_515_ = _e309;
+        } else {
+            phi_515_ = _e301;
+        }
+        let _e316 = phi_515_;
+        phi_517_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+    }
+    let _e319 = phi_517_;
+    let _e323 = (*param).offset;
+    let _e330 = (*param).offset;
+    let _e337 = (*param).offset;
+    let _e344 = (*param).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e323 + (_e319.low * _e71)) + _e199.low), ((_e330 + (_e319.low * _e71)) + _e199.high), ((_e337 + (_e319.high * _e71)) + _e199.low), ((_e344 + (_e319.high * _e71)) + _e199.high)), vec4<f32>(((1f - _e199.fraction) * (1f - _e319.fraction)), (_e199.fraction * (1f - _e319.fraction)), ((1f - _e199.fraction) * _e319.fraction), (_e199.fraction * _e319.fraction)));
 }
 
-fn lt_shaders_surface_barycentric_weights(param_18: f32, param_19: f32) -> vec3<f32> {
-    return vec3<f32>(((1f - param_18) - param_19), param_18, param_19);
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_576_: bool;
+    var phi_580_: f32;
+
+    if (param_3 != param_3) {
+        phi_576_ = true;
+    } else {
+        let _e69 = (param_4 >= param_3);
+        if _e69 {
+        }
+        phi_576_ = _e69;
+    }
+    let _e71 = phi_576_;
+    if _e71 {
+        phi_580_ = param_4;
+    } else {
+        phi_580_ = param_3;
+    }
+    let _e73 = phi_580_;
+    return _e73;
 }
 
-fn lt_shaders_evaluate_to_light(param_20: vec3<f32>, param_21: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_21.x - (param_20.x * param_21.w)), (param_21.y - (param_20.y * param_21.w)), (param_21.z - (param_20.z * param_21.w)));
-}
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_592_: bool;
+    var phi_596_: f32;
 
-fn lt_shaders_doubt_slot_of(param_22: vec3<u32>) -> u32 {
-    return ((param_22.y * 2097152u) + param_22.x);
+    if (param_5 != param_5) {
+        phi_592_ = true;
+    } else {
+        let _e69 = (param_6 <= param_5);
+        if _e69 {
+        }
+        phi_592_ = _e69;
+    }
+    let _e71 = phi_592_;
+    if _e71 {
+        phi_596_ = param_6;
+    } else {
+        phi_596_ = param_5;
+    }
+    let _e73 = phi_596_;
+    return _e73;
 }
 
 fn function_() {
     var local: texture_TextureView;
-    var local_1: array<abi_Vertex, 3>;
+    var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var local_3: lt_bvh_traverse_Stack;
-    var phi_640_: f32;
-    var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_702_: bool;
-    var phi_703_: bool;
-    var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_707_: bool;
-    var phi_708_: bool;
-    var phi_709_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_718_: bool;
-    var phi_722_: bool;
-    var phi_796_: f32;
-    var phi_803_: f32;
-    var phi_811_: f32;
-    var phi_818_: f32;
-    var phi_826_: f32;
-    var phi_833_: f32;
-    var phi_850_: f32;
-    var phi_855_: f32;
-    var phi_860_: f32;
-    var phi_881_: u32;
-    var phi_886_: u32;
-    var phi_891_: u32;
-    var phi_1005_: bool;
-    var phi_1006_: bool;
-    var phi_1037_: u32;
-    var phi_1039_: u32;
-    var phi_1120_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1147_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1174_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1180_: u32;
-    var phi_1183_: u32;
-    var phi_1197_: u32;
-    var phi_1207_: u32;
-    var phi_1217_: u32;
-    var phi_1235_: u32;
-    var phi_1245_: u32;
-    var phi_1255_: u32;
-    var phi_1291_: u32;
-    var phi_1304_: u32;
-    var phi_1309_: u32;
-    var phi_1310_: u32;
-    var phi_1311_: u32;
-    var phi_1181_: u32;
-    var phi_1184_: u32;
+    var phi_694_: f32;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_752_: bool;
+    var phi_756_: bool;
+    var phi_757_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_760_: bool;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: bool;
+    var phi_765_: bool;
+    var phi_766_: bool;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: bool;
+    var phi_777_: bool;
+    var phi_781_: bool;
+    var phi_851_: f32;
+    var phi_858_: f32;
+    var phi_865_: f32;
+    var phi_872_: f32;
+    var phi_879_: f32;
+    var phi_886_: f32;
+    var phi_903_: f32;
+    var phi_908_: f32;
+    var phi_913_: f32;
+    var phi_934_: u32;
+    var phi_939_: u32;
+    var phi_944_: u32;
+    var phi_1058_: bool;
+    var phi_1059_: bool;
+    var phi_1090_: u32;
+    var phi_1092_: u32;
+    var phi_1173_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1200_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1227_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1233_: u32;
+    var phi_1236_: u32;
+    var phi_1250_: u32;
+    var phi_1260_: u32;
+    var phi_1270_: u32;
+    var phi_1288_: u32;
+    var phi_1298_: u32;
+    var phi_1308_: u32;
+    var phi_1344_: u32;
+    var phi_1357_: u32;
+    var phi_1362_: u32;
+    var phi_1363_: u32;
+    var phi_1364_: u32;
+    var phi_1234_: u32;
+    var phi_1237_: u32;
+    var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var local_6: u32;
-    var phi_1369_: u32;
-    var phi_1419_: f32;
-    var phi_1424_: f32;
-    var phi_1429_: f32;
-    var phi_1437_: f32;
-    var phi_1442_: f32;
-    var phi_1447_: f32;
-    var phi_1594_: bool;
-    var phi_1595_: bool;
-    var phi_1596_: bool;
-    var phi_1600_: bool;
-    var phi_1601_: bool;
-    var phi_1602_: bool;
-    var phi_1603_: bool;
-    var phi_1604_: bool;
-    var phi_1605_: bool;
-    var phi_1606_: bool;
-    var phi_1607_: bool;
-    var phi_1608_: bool;
-    var phi_1609_: bool;
-    var phi_1610_: bool;
-    var phi_1611_: bool;
-    var phi_1612_: bool;
-    var phi_1613_: bool;
-    var phi_1614_: bool;
-    var phi_1615_: bool;
-    var phi_1616_: bool;
-    var phi_1617_: bool;
-    var phi_1621_: bool;
-    var phi_1625_: bool;
-    var phi_1695_: f32;
-    var phi_1702_: f32;
-    var phi_1709_: f32;
-    var phi_1716_: f32;
-    var phi_1723_: f32;
-    var phi_1730_: f32;
-    var phi_1747_: f32;
+    var phi_1422_: u32;
+    var phi_1472_: f32;
+    var phi_1477_: f32;
+    var phi_1482_: f32;
+    var phi_1490_: f32;
+    var phi_1495_: f32;
+    var phi_1500_: f32;
+    var phi_1644_: bool;
+    var phi_1645_: bool;
+    var phi_1646_: bool;
+    var phi_1650_: bool;
+    var phi_1651_: bool;
+    var phi_1652_: bool;
+    var phi_1653_: bool;
+    var phi_1654_: bool;
+    var phi_1655_: bool;
+    var phi_1656_: bool;
+    var phi_1657_: bool;
+    var phi_1658_: bool;
+    var phi_1659_: bool;
+    var phi_1660_: bool;
+    var phi_1661_: bool;
+    var phi_1662_: bool;
+    var phi_1663_: bool;
+    var phi_1664_: bool;
+    var phi_1665_: bool;
+    var phi_1666_: bool;
+    var phi_1667_: bool;
+    var phi_1671_: bool;
+    var phi_1675_: bool;
+    var phi_1745_: f32;
     var phi_1752_: f32;
-    var phi_1757_: f32;
-    var phi_1785_: bool;
-    var phi_1786_: bool;
-    var phi_1794_: u32;
-    var phi_1795_: u32;
-    var phi_1806_: vec3<f32>;
-    var phi_1807_: vec3<f32>;
-    var phi_1820_: u32;
-    var phi_1825_: u32;
-    var phi_1830_: u32;
-    var phi_1944_: bool;
-    var phi_1945_: bool;
-    var phi_1976_: u32;
-    var phi_1978_: u32;
-    var phi_2059_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2086_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2113_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2119_: u32;
-    var phi_2122_: u32;
-    var phi_2136_: u32;
-    var phi_2146_: u32;
-    var phi_2156_: u32;
-    var phi_2174_: u32;
-    var phi_2184_: u32;
-    var phi_2194_: u32;
-    var phi_2230_: u32;
-    var phi_2243_: u32;
-    var phi_2248_: u32;
-    var phi_2249_: u32;
-    var phi_2250_: u32;
-    var phi_2120_: u32;
-    var phi_2123_: u32;
+    var phi_1759_: f32;
+    var phi_1766_: f32;
+    var phi_1773_: f32;
+    var phi_1780_: f32;
+    var phi_1797_: f32;
+    var phi_1802_: f32;
+    var phi_1807_: f32;
+    var phi_1835_: bool;
+    var phi_1836_: bool;
+    var phi_1844_: u32;
+    var phi_1845_: u32;
+    var phi_1856_: vec3<f32>;
+    var phi_1857_: vec3<f32>;
+    var phi_1870_: u32;
+    var phi_1875_: u32;
+    var phi_1880_: u32;
+    var phi_1994_: bool;
+    var phi_1995_: bool;
+    var phi_2026_: u32;
+    var phi_2028_: u32;
+    var phi_2109_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2136_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2163_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2169_: u32;
+    var phi_2172_: u32;
+    var phi_2186_: u32;
+    var phi_2196_: u32;
+    var phi_2206_: u32;
+    var phi_2224_: u32;
+    var phi_2234_: u32;
+    var phi_2244_: u32;
+    var phi_2280_: u32;
+    var phi_2293_: u32;
+    var phi_2298_: u32;
+    var phi_2299_: u32;
+    var phi_2300_: u32;
+    var phi_2170_: u32;
+    var phi_2173_: u32;
+    var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var local_9: u32;
-    var phi_2308_: u32;
-    var phi_2353_: vec3<f32>;
-    var phi_2354_: vec3<f32>;
-    var phi_2385_: vec3<f32>;
-    var phi_2386_: vec3<f32>;
-    var phi_2417_: vec3<f32>;
-    var phi_2418_: vec3<f32>;
-    var phi_2438_: bool;
-    var phi_2439_: bool;
-    var phi_2443_: f32;
-    var phi_2444_: f32;
-    var phi_2445_: f32;
-    var phi_2446_: f32;
-    var phi_2454_: f32;
-    var phi_2464_: bool;
-    var phi_2465_: bool;
-    var phi_2469_: f32;
-    var phi_2470_: f32;
-    var phi_2471_: f32;
-    var phi_2472_: f32;
-    var phi_2480_: f32;
-    var phi_2490_: bool;
-    var phi_2491_: bool;
+    var phi_2358_: u32;
+    var phi_2403_: vec3<f32>;
+    var phi_2404_: vec3<f32>;
+    var phi_2435_: vec3<f32>;
+    var phi_2436_: vec3<f32>;
+    var phi_2467_: vec3<f32>;
+    var phi_2468_: vec3<f32>;
+    var phi_2488_: bool;
+    var phi_2489_: bool;
+    var phi_2493_: f32;
+    var phi_2494_: f32;
     var phi_2495_: f32;
     var phi_2496_: f32;
-    var phi_2497_: f32;
-    var phi_2498_: f32;
-    var phi_2506_: f32;
+    var phi_2504_: f32;
+    var phi_2514_: bool;
+    var phi_2515_: bool;
+    var phi_2519_: f32;
+    var phi_2520_: f32;
     var phi_2521_: f32;
-    var phi_2522_: bool;
-    var phi_2523_: f32;
-    var phi_2524_: bool;
-    var phi_2525_: f32;
-    var phi_2526_: bool;
-    var phi_2544_: f32;
-    var phi_2545_: bool;
-    var phi_2546_: bool;
+    var phi_2522_: f32;
+    var phi_2530_: f32;
+    var phi_2540_: bool;
+    var phi_2541_: bool;
+    var phi_2545_: f32;
+    var phi_2546_: f32;
     var phi_2547_: f32;
-    var phi_2548_: bool;
-    var phi_2549_: bool;
-    var phi_2553_: bool;
-    var phi_2554_: f32;
-    var phi_2555_: bool;
-    var phi_2581_: f32;
-    var phi_2590_: f32;
-    var phi_2599_: f32;
-    var phi_2608_: f32;
-    var phi_2615_: f32;
-    var phi_2622_: f32;
-    var phi_2635_: f32;
-    var phi_2644_: f32;
-    var phi_2653_: f32;
-    var phi_2662_: f32;
-    var phi_2669_: f32;
-    var phi_2676_: f32;
+    var phi_2548_: f32;
+    var phi_2556_: f32;
+    var phi_2571_: f32;
+    var phi_2572_: bool;
+    var phi_2573_: f32;
+    var phi_2574_: bool;
+    var phi_2575_: f32;
+    var phi_2576_: bool;
+    var phi_2594_: f32;
+    var phi_2595_: bool;
+    var phi_2596_: bool;
+    var phi_2597_: f32;
+    var phi_2598_: bool;
+    var phi_2599_: bool;
+    var phi_2603_: bool;
+    var phi_2604_: f32;
+    var phi_2605_: bool;
+    var phi_2639_: f32;
+    var phi_2648_: f32;
+    var phi_2657_: f32;
+    var phi_2666_: f32;
+    var phi_2673_: f32;
+    var phi_2680_: f32;
     var phi_2693_: f32;
-    var phi_2698_: f32;
-    var phi_2703_: f32;
+    var phi_2702_: f32;
     var phi_2711_: f32;
-    var phi_2716_: f32;
-    var phi_2721_: f32;
-    var phi_2733_: f32;
-    var phi_2738_: f32;
-    var phi_2743_: f32;
-    var phi_2748_: f32;
-    var phi_2753_: lt_bvh_triangle_Intersection;
-    var phi_2754_: lt_bvh_triangle_Intersection;
-    var phi_2755_: bool;
-    var phi_2759_: lt_bvh_triangle_Intersection;
-    var phi_2968_: f32;
-    var phi_2971_: bool;
-    var phi_2972_: bool;
-    var phi_2976_: bool;
-    var phi_2977_: bool;
-    var phi_2978_: bool;
-    var phi_2979_: bool;
-    var phi_2980_: bool;
-    var phi_2981_: bool;
-    var phi_2982_: bool;
-    var phi_2983_: bool;
-    var phi_2984_: bool;
-    var phi_2985_: bool;
-    var phi_2986_: bool;
-    var phi_2987_: bool;
-    var phi_2991_: bool;
-    var phi_2992_: bool;
-    var phi_2309_: u32;
-    var phi_2993_: bool;
-    var phi_2994_: bool;
-    var phi_2995_: bool;
-    var local_10: bool;
-    var phi_3037_: bool;
-    var phi_3038_: bool;
-    var phi_3069_: u32;
-    var phi_3070_: u32;
+    var phi_2720_: f32;
+    var phi_2727_: f32;
+    var phi_2734_: f32;
+    var phi_2751_: f32;
+    var phi_2756_: f32;
+    var phi_2761_: f32;
+    var phi_2769_: f32;
+    var phi_2774_: f32;
+    var phi_2779_: f32;
+    var phi_2791_: f32;
+    var phi_2796_: f32;
+    var phi_2801_: f32;
+    var phi_2806_: f32;
+    var phi_2811_: lt_bvh_triangle_Intersection;
+    var phi_2812_: bool;
+    var phi_2813_: lt_bvh_triangle_Intersection;
+    var phi_2814_: bool;
+    var phi_2818_: lt_bvh_triangle_Intersection;
+    var phi_2819_: bool;
+    var phi_2820_: lt_bvh_triangle_Intersection;
+    var phi_2821_: bool;
+    var phi_2822_: bool;
+    var phi_2826_: bool;
+    var phi_2830_: lt_bvh_triangle_Intersection;
+    var phi_3048_: f32;
+    var phi_3051_: bool;
+    var phi_3052_: bool;
+    var phi_3056_: bool;
+    var phi_3057_: bool;
+    var phi_3058_: bool;
+    var phi_3059_: bool;
+    var phi_3060_: bool;
+    var phi_3061_: bool;
+    var phi_3062_: bool;
+    var phi_3063_: bool;
+    var phi_3064_: bool;
+    var phi_3065_: bool;
+    var phi_3066_: bool;
+    var phi_3067_: bool;
     var phi_3071_: bool;
     var phi_3072_: bool;
-    var phi_1979_: u32;
+    var phi_2359_: u32;
     var phi_3073_: bool;
     var phi_3074_: bool;
     var phi_3075_: bool;
-    var phi_3076_: bool;
-    var local_11: bool;
-    var phi_3080_: bool;
-    var phi_3081_: bool;
-    var phi_3085_: bool;
-    var phi_3089_: bool;
-    var phi_3090_: bool;
-    var phi_3091_: bool;
-    var phi_3092_: bool;
-    var phi_3096_: bool;
-    var phi_3100_: bool;
-    var phi_3101_: bool;
-    var phi_3102_: bool;
-    var phi_3103_: bool;
-    var phi_1370_: u32;
-    var phi_3107_: bool;
-    var local_12: bool;
-    var phi_3149_: bool;
-    var phi_3150_: bool;
-    var phi_3181_: u32;
-    var phi_3182_: u32;
-    var phi_1040_: u32;
+    var local_9: bool;
+    var phi_3117_: bool;
+    var phi_3118_: bool;
+    var phi_3149_: u32;
+    var phi_3150_: u32;
+    var phi_3151_: bool;
+    var phi_3152_: bool;
+    var phi_2029_: u32;
+    var phi_3153_: bool;
+    var phi_3154_: bool;
+    var phi_3155_: bool;
+    var phi_3156_: bool;
+    var local_10: bool;
+    var phi_3160_: bool;
+    var phi_3161_: bool;
+    var phi_3165_: bool;
+    var phi_3169_: bool;
+    var phi_3170_: bool;
+    var phi_3171_: bool;
+    var phi_3172_: bool;
+    var phi_3176_: bool;
+    var phi_3180_: bool;
+    var phi_3181_: bool;
+    var phi_3182_: bool;
     var phi_3183_: bool;
-    var phi_3184_: bool;
+    var phi_1423_: u32;
+    var phi_3187_: bool;
+    var local_11: bool;
+    var phi_3229_: bool;
+    var phi_3230_: bool;
+    var phi_3261_: u32;
+    var phi_3262_: u32;
+    var phi_1093_: u32;
+    var phi_3263_: bool;
+    var phi_3264_: bool;
+    var local_12: bool;
+    var phi_3268_: bool;
+    var phi_3272_: bool;
+    var phi_3273_: bool;
+    var phi_3274_: bool;
+    var phi_3275_: bool;
+    var phi_3279_: bool;
+    var phi_3283_: f32;
     var local_13: bool;
-    var phi_3188_: bool;
-    var phi_3192_: bool;
-    var phi_3193_: bool;
-    var phi_3194_: bool;
-    var phi_3195_: bool;
-    var phi_3199_: bool;
-    var phi_3203_: f32;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
     var local_17: bool;
     var local_18: bool;
-    var local_19: bool;
 
-    let _e65 = id_1;
-    let _e72 = arrayLength((&nodes.member));
-    let _e75 = arrayLength((&triangles.member));
-    let _e81 = arrayLength((&list.member));
-    let _e87 = arrayLength((&vertices.member));
-    let _e93 = arrayLength((&alpha_texels.member));
-    let _e94 = lt_shaders_doubt_slot_of(_e65);
-    if (3u < _e81) {
+    let _e69 = id_1;
+    let _e76 = arrayLength((&nodes.member));
+    let _e79 = arrayLength((&triangles.member));
+    let _e85 = arrayLength((&list.member));
+    let _e91 = arrayLength((&vertices.member));
+    let _e97 = arrayLength((&alpha_texels.member));
+    let _e101 = ((_e69.y * 2097152u) + _e69.x);
+    if (3u < _e85) {
     } else {
         return;
     }
-    let _e97 = list.member[3u];
-    if (_e94 < _e97) {
-        let _e99 = (_e94 + 4u);
-        if (_e99 < _e81) {
+    let _e104 = list.member[3u];
+    if (_e101 < _e104) {
+        let _e106 = (_e101 + 4u);
+        if (_e106 < _e85) {
         } else {
             return;
         }
-        let _e103 = list.member[(0u + _e99)];
-        let _e105 = p.member.root;
-        if (_e103 < arrayLength((&samples.member))) {
+        let _e110 = list.member[(0u + _e106)];
+        let _e112 = p.member.root;
+        if (_e110 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e110 = p.member.light;
-        let _e112 = samples.member[(0u + _e103)].position;
-        let _e114 = samples.member[(0u + _e103)].normal;
-        let _e116 = samples.member[(0u + _e103)].magnitude;
-        let _e118 = ((8f / 8388608f) * _e116);
-        let _e120 = (_e114.x * _e118);
-        let _e122 = (_e114.y * _e118);
-        let _e124 = (_e114.z * _e118);
-        let _e126 = (_e112.x + _e120);
-        let _e128 = (_e112.y + _e122);
-        let _e130 = (_e112.z + _e124);
-        let _e132 = (_e112 + vec3<f32>(_e120, _e122, _e124));
-        if (_e110.w == 0f) {
-            phi_640_ = 300000000000000000000000000000000000000f;
+        let _e117 = p.member.light;
+        let _e119 = samples.member[(0u + _e110)].position;
+        let _e121 = samples.member[(0u + _e110)].normal;
+        let _e123 = samples.member[(0u + _e110)].magnitude;
+        let _e125 = ((8f / 8388608f) * _e123);
+        let _e133 = (_e119.x + (_e121.x * _e125));
+        let _e135 = (_e119.y + (_e121.y * _e125));
+        let _e137 = (_e119.z + (_e121.z * _e125));
+        if (_e117.w == 0f) {
+            phi_694_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_640_ = 1f;
+            phi_694_ = 1f;
         }
-        let _e136 = phi_640_;
-        let _e137 = lt_shaders_evaluate_to_light(_e132, _e110);
-        let _e138 = lt_bvh_Ray(_e132, 0f, _e137, _e136);
-        let _e143 = abs(_e137.x);
-        let _e145 = abs(_e137.y);
-        let _e147 = abs(_e137.z);
-        if (abs(_e126) < 1000000000000000f) {
-            if (abs(_e128) < 1000000000000000f) {
-                if (abs(_e130) < 1000000000000000f) {
-                    if (_e143 < 1000000000000000f) {
-                        if (_e145 < 1000000000000000f) {
-                            if (_e147 < 1000000000000000f) {
-                                if (_e143 > 0f) {
-                                    phi_692_ = bool();
-                                    phi_693_ = true;
+        let _e141 = phi_694_;
+        let _e149 = (_e117.x - (_e133 * _e117.w));
+        let _e150 = (_e117.y - (_e135 * _e117.w));
+        let _e151 = (_e117.z - (_e137 * _e117.w));
+        let _e155 = abs(_e149);
+        let _e156 = abs(_e150);
+        let _e157 = abs(_e151);
+        if (abs(_e133) < 1000000000000000f) {
+            if (abs(_e135) < 1000000000000000f) {
+                if (abs(_e137) < 1000000000000000f) {
+                    if (_e155 < 1000000000000000f) {
+                        if (_e156 < 1000000000000000f) {
+                            if (_e157 < 1000000000000000f) {
+                                if (_e155 > 0f) {
+                                    phi_751_ = bool();
+                                    phi_752_ = true;
                                 } else {
-                                    let _e155 = (_e145 > 0f);
-                                    if _e155 {
-                                        phi_691_ = bool();
+                                    let _e165 = (_e156 > 0f);
+                                    if _e165 {
+                                        phi_750_ = bool();
                                     } else {
-                                        phi_691_ = (_e147 > 0f);
+                                        phi_750_ = (_e157 > 0f);
                                     }
-                                    let _e158 = phi_691_;
-                                    phi_692_ = _e158;
-                                    phi_693_ = _e155;
+                                    let _e168 = phi_750_;
+                                    phi_751_ = _e168;
+                                    phi_752_ = _e165;
                                 }
-                                let _e160 = phi_692_;
-                                let _e162 = phi_693_;
-                                if _e162 {
-                                    phi_697_ = true;
+                                let _e170 = phi_751_;
+                                let _e172 = phi_752_;
+                                if _e172 {
+                                    phi_756_ = true;
                                 } else {
-                                    phi_697_ = _e160;
+                                    phi_756_ = _e170;
                                 }
-                                let _e164 = phi_697_;
-                                phi_698_ = _e164;
-                                phi_699_ = false;
+                                let _e174 = phi_756_;
+                                phi_757_ = _e174;
+                                phi_758_ = false;
                             } else {
-                                phi_698_ = bool();
-                                phi_699_ = true;
+                                phi_757_ = bool();
+                                phi_758_ = true;
                             }
-                            let _e166 = phi_698_;
-                            let _e168 = phi_699_;
-                            phi_700_ = _e166;
-                            phi_701_ = false;
-                            phi_702_ = _e168;
+                            let _e176 = phi_757_;
+                            let _e178 = phi_758_;
+                            phi_759_ = _e176;
+                            phi_760_ = false;
+                            phi_761_ = _e178;
                         } else {
-                            phi_700_ = bool();
-                            phi_701_ = true;
-                            phi_702_ = false;
+                            phi_759_ = bool();
+                            phi_760_ = true;
+                            phi_761_ = false;
                         }
-                        let _e170 = phi_700_;
-                        let _e172 = phi_701_;
-                        let _e174 = phi_702_;
-                        phi_703_ = _e170;
-                        phi_704_ = _e172;
-                        phi_705_ = _e174;
+                        let _e180 = phi_759_;
+                        let _e182 = phi_760_;
+                        let _e184 = phi_761_;
+                        phi_762_ = _e180;
+                        phi_763_ = _e182;
+                        phi_764_ = _e184;
                     } else {
-                        phi_703_ = bool();
-                        phi_704_ = true;
-                        phi_705_ = false;
+                        phi_762_ = bool();
+                        phi_763_ = true;
+                        phi_764_ = false;
                     }
-                    let _e176 = phi_703_;
-                    let _e178 = phi_704_;
-                    let _e180 = phi_705_;
-                    phi_706_ = _e176;
-                    phi_707_ = _e178;
-                    phi_708_ = _e180;
+                    let _e186 = phi_762_;
+                    let _e188 = phi_763_;
+                    let _e190 = phi_764_;
+                    phi_765_ = _e186;
+                    phi_766_ = _e188;
+                    phi_767_ = _e190;
                 } else {
-                    phi_706_ = bool();
-                    phi_707_ = true;
-                    phi_708_ = false;
+                    phi_765_ = bool();
+                    phi_766_ = true;
+                    phi_767_ = false;
                 }
-                let _e182 = phi_706_;
-                let _e184 = phi_707_;
-                let _e186 = phi_708_;
-                phi_709_ = _e182;
-                phi_710_ = _e184;
-                phi_711_ = _e186;
+                let _e192 = phi_765_;
+                let _e194 = phi_766_;
+                let _e196 = phi_767_;
+                phi_768_ = _e192;
+                phi_769_ = _e194;
+                phi_770_ = _e196;
             } else {
-                phi_709_ = bool();
-                phi_710_ = true;
-                phi_711_ = false;
+                phi_768_ = bool();
+                phi_769_ = true;
+                phi_770_ = false;
             }
-            let _e188 = phi_709_;
-            let _e190 = phi_710_;
-            let _e192 = phi_711_;
-            phi_712_ = _e188;
-            phi_713_ = _e190;
-            phi_714_ = _e192;
+            let _e198 = phi_768_;
+            let _e200 = phi_769_;
+            let _e202 = phi_770_;
+            phi_771_ = _e198;
+            phi_772_ = _e200;
+            phi_773_ = _e202;
         } else {
-            phi_712_ = bool();
-            phi_713_ = true;
-            phi_714_ = false;
+            phi_771_ = bool();
+            phi_772_ = true;
+            phi_773_ = false;
         }
-        let _e194 = phi_712_;
-        let _e196 = phi_713_;
-        let _e198 = phi_714_;
-        if _e196 {
-            phi_718_ = true;
+        let _e204 = phi_771_;
+        let _e206 = phi_772_;
+        let _e208 = phi_773_;
+        if _e206 {
+            phi_777_ = true;
         } else {
-            phi_718_ = _e198;
+            phi_777_ = _e208;
         }
-        let _e200 = phi_718_;
-        if _e200 {
-            phi_722_ = false;
+        let _e210 = phi_777_;
+        if _e210 {
+            phi_781_ = false;
         } else {
-            phi_722_ = _e194;
+            phi_781_ = _e204;
         }
-        let _e202 = phi_722_;
-        if _e202 {
-            let _e203 = (_e105 >= _e72);
-            if _e203 {
-                phi_3193_ = bool();
+        let _e212 = phi_781_;
+        if _e212 {
+            let _e213 = (_e112 >= _e76);
+            if _e213 {
+                phi_3273_ = bool();
             } else {
-                if (_e105 < _e72) {
+                if (_e112 < _e76) {
                 } else {
                     return;
                 }
-                let _e209 = nodes.member[(0u + _e105)].frame[0u];
-                let _e213 = nodes.member[(0u + _e105)].frame[1u];
-                let _e217 = nodes.member[(0u + _e105)].frame[2u];
-                let _e221 = nodes.member[(0u + _e105)].frame[0u];
-                let _e225 = nodes.member[(0u + _e105)].frame[1u];
-                let _e229 = nodes.member[(0u + _e105)].frame[2u];
-                let _e233 = nodes.member[(0u + _e105)].frame[3u];
-                let _e270 = core_intrinsics_maximum_number_nsz_f32_(abs(_e137.x), abs(_e137.y));
-                let _e271 = core_intrinsics_maximum_number_nsz_f32_(_e270, abs(_e137.z));
-                let _e272 = (_e271 * 0.0000000000009094947f);
-                if (abs(_e138.direction.x) < _e272) {
-                    phi_796_ = _e272;
+                let _e219 = nodes.member[(0u + _e112)].frame[0u];
+                let _e223 = nodes.member[(0u + _e112)].frame[1u];
+                let _e227 = nodes.member[(0u + _e112)].frame[2u];
+                let _e231 = nodes.member[(0u + _e112)].frame[0u];
+                let _e235 = nodes.member[(0u + _e112)].frame[1u];
+                let _e239 = nodes.member[(0u + _e112)].frame[2u];
+                let _e243 = nodes.member[(0u + _e112)].frame[3u];
+                let _e277 = core_intrinsics_maximum_number_nsz_f32_(abs(_e149), abs(_e150));
+                let _e278 = core_intrinsics_maximum_number_nsz_f32_(_e277, abs(_e151));
+                let _e279 = (_e278 * 0.0000000000009094947f);
+                if (abs(_e149) < _e279) {
+                    phi_851_ = _e279;
                 } else {
-                    phi_796_ = abs(_e138.direction.x);
+                    phi_851_ = abs(_e149);
                 }
-                let _e279 = phi_796_;
-                if (_e138.direction.x < 0f) {
-                    phi_803_ = (-1f / _e279);
+                let _e284 = phi_851_;
+                if (_e149 < 0f) {
+                    phi_858_ = (-1f / _e284);
                 } else {
-                    phi_803_ = (1f / _e279);
+                    phi_858_ = (1f / _e284);
                 }
-                let _e284 = phi_803_;
-                if (abs(_e138.direction.y) < _e272) {
-                    phi_811_ = _e272;
+                let _e289 = phi_858_;
+                if (abs(_e150) < _e279) {
+                    phi_865_ = _e279;
                 } else {
-                    phi_811_ = abs(_e138.direction.y);
+                    phi_865_ = abs(_e150);
                 }
-                let _e291 = phi_811_;
-                if (_e138.direction.y < 0f) {
-                    phi_818_ = (-1f / _e291);
+                let _e294 = phi_865_;
+                if (_e150 < 0f) {
+                    phi_872_ = (-1f / _e294);
                 } else {
-                    phi_818_ = (1f / _e291);
+                    phi_872_ = (1f / _e294);
                 }
-                let _e296 = phi_818_;
-                if (abs(_e138.direction.z) < _e272) {
-                    phi_826_ = _e272;
+                let _e299 = phi_872_;
+                if (abs(_e151) < _e279) {
+                    phi_879_ = _e279;
                 } else {
-                    phi_826_ = abs(_e138.direction.z);
+                    phi_879_ = abs(_e151);
                 }
-                let _e303 = phi_826_;
-                if (_e138.direction.z < 0f) {
-                    phi_833_ = (-1f / _e303);
+                let _e304 = phi_879_;
+                if (_e151 < 0f) {
+                    phi_886_ = (-1f / _e304);
                 } else {
-                    phi_833_ = (1f / _e303);
+                    phi_886_ = (1f / _e304);
                 }
-                let _e308 = phi_833_;
-                let _e312 = abs((bitcast<f32>(_e209) - _e126));
-                let _e313 = abs((bitcast<f32>(_e213) - _e128));
-                let _e314 = abs((bitcast<f32>(_e217) - _e130));
-                let _e318 = abs(((bitcast<f32>(_e221) + (bitcast<f32>((((_e233 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
-                let _e319 = abs(((bitcast<f32>(_e225) + (bitcast<f32>((((_e233 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
-                let _e320 = abs(((bitcast<f32>(_e229) + (bitcast<f32>((((_e233 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
-                if (_e312 > _e318) {
-                    phi_850_ = _e312;
-                } else {
-                    phi_850_ = _e318;
-                }
-                let _e323 = phi_850_;
+                let _e309 = phi_886_;
+                let _e313 = abs((bitcast<f32>(_e219) - _e133));
+                let _e314 = abs((bitcast<f32>(_e223) - _e135));
+                let _e315 = abs((bitcast<f32>(_e227) - _e137));
+                let _e319 = abs(((bitcast<f32>(_e231) + (bitcast<f32>((((_e243 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e133));
+                let _e320 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e243 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e135));
+                let _e321 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e243 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e137));
                 if (_e313 > _e319) {
-                    phi_855_ = _e313;
+                    phi_903_ = _e313;
                 } else {
-                    phi_855_ = _e319;
+                    phi_903_ = _e319;
                 }
-                let _e326 = phi_855_;
+                let _e324 = phi_903_;
                 if (_e314 > _e320) {
-                    phi_860_ = _e314;
+                    phi_908_ = _e314;
                 } else {
-                    phi_860_ = _e320;
+                    phi_908_ = _e320;
                 }
-                let _e329 = phi_860_;
-                let _e330 = core_intrinsics_maximum_number_nsz_f32_(_e323, _e326);
-                let _e331 = core_intrinsics_maximum_number_nsz_f32_(_e330, _e329);
-                let _e335 = (_e331 * 0.0000019073486f);
-                let _e336 = (abs(_e284) * _e335);
-                let _e337 = (abs(_e296) * _e335);
-                let _e338 = (abs(_e308) * _e335);
-                let _e342 = (_e331 * 0.0000009536743f);
-                let _e343 = (abs(_e284) * _e342);
-                let _e344 = (abs(_e296) * _e342);
-                let _e345 = (abs(_e308) * _e342);
-                if (_e284 < 0f) {
-                    phi_881_ = 0u;
+                let _e327 = phi_908_;
+                if (_e315 > _e321) {
+                    phi_913_ = _e315;
                 } else {
-                    phi_881_ = 1u;
+                    phi_913_ = _e321;
                 }
-                let _e348 = phi_881_;
-                if (_e296 < 0f) {
-                    phi_886_ = 0u;
+                let _e330 = phi_913_;
+                let _e331 = core_intrinsics_maximum_number_nsz_f32_(_e324, _e327);
+                let _e332 = core_intrinsics_maximum_number_nsz_f32_(_e331, _e330);
+                let _e336 = (_e332 * 0.0000019073486f);
+                let _e337 = (abs(_e289) * _e336);
+                let _e338 = (abs(_e299) * _e336);
+                let _e339 = (abs(_e309) * _e336);
+                let _e343 = (_e332 * 0.0000009536743f);
+                let _e344 = (abs(_e289) * _e343);
+                let _e345 = (abs(_e299) * _e343);
+                let _e346 = (abs(_e309) * _e343);
+                if (_e289 < 0f) {
+                    phi_934_ = 0u;
                 } else {
-                    phi_886_ = 2u;
+                    phi_934_ = 1u;
                 }
-                let _e351 = phi_886_;
-                if (_e308 < 0f) {
-                    phi_891_ = 0u;
+                let _e349 = phi_934_;
+                if (_e299 < 0f) {
+                    phi_939_ = 0u;
                 } else {
-                    phi_891_ = 4u;
+                    phi_939_ = 2u;
                 }
-                let _e354 = phi_891_;
-                let _e356 = ((_e348 | _e351) | _e354);
-                let _e357 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e105, 2147483648u);
-                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e357.first[0], _e357.first[1], _e357.first[2], _e357.first[3], _e357.first[4], _e357.first[5], _e357.first[6], _e357.first[7], _e357.first[8], _e357.first[9], _e357.first[10], _e357.first[11], _e357.first[12], _e357.first[13], _e357.first[14], _e357.first[15], _e357.first[16], _e357.first[17], _e357.first[18], _e357.first[19], _e357.first[20], _e357.first[21], _e357.first[22], _e357.first[23], _e357.first[24], _e357.first[25], _e357.first[26], _e357.first[27], _e357.first[28], _e357.first[29], _e357.first[30], _e357.first[31]), array<u32, 32>(_e357.mask[0], _e357.mask[1], _e357.mask[2], _e357.mask[3], _e357.mask[4], _e357.mask[5], _e357.mask[6], _e357.mask[7], _e357.mask[8], _e357.mask[9], _e357.mask[10], _e357.mask[11], _e357.mask[12], _e357.mask[13], _e357.mask[14], _e357.mask[15], _e357.mask[16], _e357.mask[17], _e357.mask[18], _e357.mask[19], _e357.mask[20], _e357.mask[21], _e357.mask[22], _e357.mask[23], _e357.mask[24], _e357.mask[25], _e357.mask[26], _e357.mask[27], _e357.mask[28], _e357.mask[29], _e357.mask[30], _e357.mask[31]), _e357.len, _e357.group, _e357.group_mask);
-                let _e431 = local_3.group_mask;
-                if ((_e431 & 4278190080u) == 0u) {
-                    let _e435 = local_3.len;
-                    if (_e435 == 0u) {
-                        phi_1005_ = false;
+                let _e352 = phi_939_;
+                if (_e309 < 0f) {
+                    phi_944_ = 0u;
+                } else {
+                    phi_944_ = 4u;
+                }
+                let _e355 = phi_944_;
+                let _e357 = ((_e349 | _e352) | _e355);
+                let _e358 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e358.first[0], _e358.first[1], _e358.first[2], _e358.first[3], _e358.first[4], _e358.first[5], _e358.first[6], _e358.first[7], _e358.first[8], _e358.first[9], _e358.first[10], _e358.first[11], _e358.first[12], _e358.first[13], _e358.first[14], _e358.first[15], _e358.first[16], _e358.first[17], _e358.first[18], _e358.first[19], _e358.first[20], _e358.first[21], _e358.first[22], _e358.first[23], _e358.first[24], _e358.first[25], _e358.first[26], _e358.first[27], _e358.first[28], _e358.first[29], _e358.first[30], _e358.first[31]), array<u32, 32>(_e358.mask[0], _e358.mask[1], _e358.mask[2], _e358.mask[3], _e358.mask[4], _e358.mask[5], _e358.mask[6], _e358.mask[7], _e358.mask[8], _e358.mask[9], _e358.mask[10], _e358.mask[11], _e358.mask[12], _e358.mask[13], _e358.mask[14], _e358.mask[15], _e358.mask[16], _e358.mask[17], _e358.mask[18], _e358.mask[19], _e358.mask[20], _e358.mask[21], _e358.mask[22], _e358.mask[23], _e358.mask[24], _e358.mask[25], _e358.mask[26], _e358.mask[27], _e358.mask[28], _e358.mask[29], _e358.mask[30], _e358.mask[31]), _e358.len, _e358.group, _e358.group_mask);
+                let _e432 = local_2.group_mask;
+                if ((_e432 & 4278190080u) == 0u) {
+                    let _e436 = local_2.len;
+                    if (_e436 == 0u) {
+                        phi_1058_ = false;
                     } else {
-                        let _e439 = local_3.len;
-                        local_3.len = (_e439 - 1u);
-                        let _e442 = local_3.len;
-                        if (_e442 < 32u) {
+                        let _e440 = local_2.len;
+                        local_2.len = (_e440 - 1u);
+                        let _e443 = local_2.len;
+                        if (_e443 < 32u) {
                         } else {
                             return;
                         }
-                        let _e447 = local_3.first[(0u + _e442)];
-                        local_3.group = _e447;
-                        let _e450 = local_3.len;
-                        if (_e450 < 32u) {
+                        let _e448 = local_2.first[(0u + _e443)];
+                        local_2.group = _e448;
+                        let _e451 = local_2.len;
+                        if (_e451 < 32u) {
                         } else {
                             return;
                         }
-                        let _e455 = local_3.mask[(0u + _e450)];
-                        local_3.group_mask = _e455;
-                        phi_1005_ = true;
+                        let _e456 = local_2.mask[(0u + _e451)];
+                        local_2.group_mask = _e456;
+                        phi_1058_ = true;
                     }
-                    let _e458 = phi_1005_;
-                    phi_1006_ = _e458;
+                    let _e459 = phi_1058_;
+                    phi_1059_ = _e459;
                 } else {
-                    phi_1006_ = true;
+                    phi_1059_ = true;
                 }
-                let _e460 = phi_1006_;
-                if _e460 {
-                    let _e462 = local_3.group_mask;
-                    let _e468 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e462)), 32u, (_e462 == 0u)));
-                    let _e472 = local_3.group_mask;
-                    let _e486 = local_3.group_mask;
-                    local_3.group_mask = (_e486 & ~((1u << bitcast<u32>((_e468 & 31u)))));
-                    let _e489 = local_3.group;
-                    phi_1037_ = (_e489 + countOneBits(((_e472 & ~((4294967295u << bitcast<u32>((((_e468 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e461 = phi_1059_;
+                if _e461 {
+                    let _e463 = local_2.group_mask;
+                    let _e469 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e463)), 32u, (_e463 == 0u)));
+                    let _e473 = local_2.group_mask;
+                    let _e487 = local_2.group_mask;
+                    local_2.group_mask = (_e487 & ~((1u << bitcast<u32>((_e469 & 31u)))));
+                    let _e490 = local_2.group;
+                    phi_1090_ = (_e490 + countOneBits(((_e473 & ~((4294967295u << bitcast<u32>((((_e469 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1037_ = 4294967295u;
+                    phi_1090_ = 4294967295u;
                 }
-                let _e492 = phi_1037_;
-                phi_1039_ = _e492;
+                let _e493 = phi_1090_;
+                phi_1092_ = _e493;
                 loop {
-                    let _e494 = phi_1039_;
-                    if (_e494 != 4294967295u) {
-                        if (_e494 < _e72) {
+                    let _e495 = phi_1092_;
+                    if (_e495 != 4294967295u) {
+                        if (_e495 < _e76) {
                         } else {
                             return;
                         }
-                        let _e501 = nodes.member[(0u + _e494)].frame[3u];
-                        let _e526 = (bitcast<f32>((((_e501 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
-                        let _e527 = (bitcast<f32>((((_e501 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e296);
-                        let _e528 = (bitcast<f32>((((_e501 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e308);
-                        let _e531 = nodes.member[(0u + _e494)].frame[0u];
-                        let _e535 = nodes.member[(0u + _e494)].frame[1u];
-                        let _e539 = nodes.member[(0u + _e494)].frame[2u];
-                        let _e544 = ((bitcast<f32>(_e531) - _e126) * _e284);
-                        let _e545 = ((bitcast<f32>(_e535) - _e128) * _e296);
-                        let _e546 = ((bitcast<f32>(_e539) - _e130) * _e308);
-                        let _e554 = nodes.member[(0u + _e494)].x;
-                        if (_e284 < 0f) {
-                            let _e565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e565.unnamed.root, _e554.w), _e565.unnamed_1);
-                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e571.unnamed, lt_bvh_traverse_Tree(_e554.x, _e571.unnamed_1.first_primitive));
-                            phi_1120_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e577.unnamed_1.root, _e554.y));
+                        let _e502 = nodes.member[(0u + _e495)].frame[3u];
+                        let _e527 = (bitcast<f32>((((_e502 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e289);
+                        let _e528 = (bitcast<f32>((((_e502 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
+                        let _e529 = (bitcast<f32>((((_e502 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e309);
+                        let _e532 = nodes.member[(0u + _e495)].frame[0u];
+                        let _e536 = nodes.member[(0u + _e495)].frame[1u];
+                        let _e540 = nodes.member[(0u + _e495)].frame[2u];
+                        let _e545 = ((bitcast<f32>(_e532) - _e133) * _e289);
+                        let _e546 = ((bitcast<f32>(_e536) - _e135) * _e299);
+                        let _e547 = ((bitcast<f32>(_e540) - _e137) * _e309);
+                        let _e555 = nodes.member[(0u + _e495)].x;
+                        if (_e289 < 0f) {
+                            let _e566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e566.unnamed.root, _e555.w), _e566.unnamed_1);
+                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e572.unnamed, lt_bvh_traverse_Tree(_e555.x, _e572.unnamed_1.first_primitive));
+                            phi_1173_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e578.unnamed_1.root, _e555.y));
                         } else {
-                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.unnamed.root, _e554.y), _e593.unnamed_1);
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_bvh_traverse_Tree(_e554.z, _e599.unnamed_1.first_primitive));
-                            phi_1120_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e554.w));
+                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e555.y), _e594.unnamed_1);
+                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e555.z, _e600.unnamed_1.first_primitive));
+                            phi_1173_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e555.w));
                         }
-                        let _e613 = phi_1120_;
-                        let _e623 = nodes.member[(0u + _e494)].y;
-                        if (_e296 < 0f) {
-                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e634.unnamed.root, _e623.w), _e634.unnamed_1);
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_bvh_traverse_Tree(_e623.x, _e640.unnamed_1.first_primitive));
-                            phi_1147_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e646.unnamed_1.root, _e623.y));
+                        let _e614 = phi_1173_;
+                        let _e624 = nodes.member[(0u + _e495)].y;
+                        if (_e299 < 0f) {
+                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.unnamed.root, _e624.w), _e635.unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_bvh_traverse_Tree(_e624.x, _e641.unnamed_1.first_primitive));
+                            phi_1200_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e647.unnamed_1.root, _e624.y));
                         } else {
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e623.y), _e662.unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e623.z, _e668.unnamed_1.first_primitive));
-                            phi_1147_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e623.w));
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e624.y), _e663.unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e624.z, _e669.unnamed_1.first_primitive));
+                            phi_1200_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e624.w));
                         }
-                        let _e682 = phi_1147_;
-                        let _e692 = nodes.member[(0u + _e494)].z;
-                        if (_e308 < 0f) {
-                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e703.unnamed.root, _e692.w), _e703.unnamed_1);
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_bvh_traverse_Tree(_e692.x, _e709.unnamed_1.first_primitive));
-                            phi_1174_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e715.unnamed_1.root, _e692.y));
+                        let _e683 = phi_1200_;
+                        let _e693 = nodes.member[(0u + _e495)].z;
+                        if (_e309 < 0f) {
+                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.unnamed.root, _e693.w), _e704.unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e693.x, _e710.unnamed_1.first_primitive));
+                            phi_1227_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e716.unnamed_1.root, _e693.y));
                         } else {
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e692.y), _e731.unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e692.z, _e737.unnamed_1.first_primitive));
-                            phi_1174_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e692.w));
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e693.y), _e732.unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e693.z, _e738.unnamed_1.first_primitive));
+                            phi_1227_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e693.w));
                         }
-                        let _e751 = phi_1174_;
-                        phi_1180_ = 0u;
-                        phi_1183_ = 0u;
+                        let _e752 = phi_1227_;
+                        phi_1233_ = 0u;
+                        phi_1236_ = 0u;
                         loop {
-                            let _e761 = phi_1180_;
-                            let _e763 = phi_1183_;
-                            local_4 = _e763;
-                            local_5 = _e763;
-                            local_6 = _e763;
-                            let _e764 = (_e761 < 8u);
-                            if _e764 {
-                                let _e766 = (_e761 >> bitcast<u32>(2i));
-                                let _e767 = (_e761 & 3u);
-                                if (_e766 == 0u) {
-                                    phi_1197_ = _e613.unnamed.root;
+                            let _e762 = phi_1233_;
+                            let _e764 = phi_1236_;
+                            local_3 = _e764;
+                            local_4 = _e764;
+                            local_5 = _e764;
+                            let _e765 = (_e762 < 8u);
+                            if _e765 {
+                                let _e767 = (_e762 >> bitcast<u32>(2i));
+                                let _e768 = (_e762 & 3u);
+                                if (_e767 == 0u) {
+                                    phi_1250_ = _e614.unnamed.root;
                                 } else {
-                                    phi_1197_ = _e613.unnamed.first_primitive;
+                                    phi_1250_ = _e614.unnamed.first_primitive;
                                 }
-                                let _e770 = phi_1197_;
-                                if (_e766 == 0u) {
-                                    phi_1207_ = _e682.unnamed.root;
+                                let _e771 = phi_1250_;
+                                if (_e767 == 0u) {
+                                    phi_1260_ = _e683.unnamed.root;
                                 } else {
-                                    phi_1207_ = _e682.unnamed.first_primitive;
+                                    phi_1260_ = _e683.unnamed.first_primitive;
                                 }
-                                let _e779 = phi_1207_;
-                                if (_e766 == 0u) {
-                                    phi_1217_ = _e751.unnamed.root;
+                                let _e780 = phi_1260_;
+                                if (_e767 == 0u) {
+                                    phi_1270_ = _e752.unnamed.root;
                                 } else {
-                                    phi_1217_ = _e751.unnamed.first_primitive;
+                                    phi_1270_ = _e752.unnamed.first_primitive;
                                 }
-                                let _e788 = phi_1217_;
-                                let _e801 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e770 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 - _e336)), ((f32(((_e779 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e337)));
-                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(_e801, ((f32(((_e788 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e338)));
-                                if (_e766 == 0u) {
-                                    phi_1235_ = _e613.unnamed_1.root;
+                                let _e789 = phi_1270_;
+                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e771 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e337)), ((f32(((_e780 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e338)));
+                                let _e803 = core_intrinsics_maximum_number_nsz_f32_(_e802, ((f32(((_e789 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e339)));
+                                if (_e767 == 0u) {
+                                    phi_1288_ = _e614.unnamed_1.root;
                                 } else {
-                                    phi_1235_ = _e613.unnamed_1.first_primitive;
+                                    phi_1288_ = _e614.unnamed_1.first_primitive;
                                 }
-                                let _e805 = phi_1235_;
-                                if (_e766 == 0u) {
-                                    phi_1245_ = _e682.unnamed_1.root;
+                                let _e806 = phi_1288_;
+                                if (_e767 == 0u) {
+                                    phi_1298_ = _e683.unnamed_1.root;
                                 } else {
-                                    phi_1245_ = _e682.unnamed_1.first_primitive;
+                                    phi_1298_ = _e683.unnamed_1.first_primitive;
                                 }
-                                let _e814 = phi_1245_;
-                                if (_e766 == 0u) {
-                                    phi_1255_ = _e751.unnamed_1.root;
+                                let _e815 = phi_1298_;
+                                if (_e767 == 0u) {
+                                    phi_1308_ = _e752.unnamed_1.root;
                                 } else {
-                                    phi_1255_ = _e751.unnamed_1.first_primitive;
+                                    phi_1308_ = _e752.unnamed_1.first_primitive;
                                 }
-                                let _e823 = phi_1255_;
-                                let _e836 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e805 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 + _e336)), ((f32(((_e814 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e337)));
-                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(_e836, ((f32(((_e823 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e338)));
-                                if (_e802 <= _e837) {
-                                    if (_e802 <= _e136) {
-                                        if (_e837 >= 0f) {
-                                            if (_e766 == 0u) {
-                                                let _e844 = nodes.member[(0u + _e494)].links[2u];
-                                                phi_1291_ = _e844;
+                                let _e824 = phi_1308_;
+                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e806 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e337)), ((f32(((_e815 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e338)));
+                                let _e838 = core_intrinsics_minimum_number_nsz_f32_(_e837, ((f32(((_e824 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e339)));
+                                if (_e803 <= _e838) {
+                                    if (_e803 <= _e141) {
+                                        if (_e838 >= 0f) {
+                                            if (_e767 == 0u) {
+                                                let _e845 = nodes.member[(0u + _e495)].links[2u];
+                                                phi_1344_ = _e845;
                                             } else {
-                                                let _e847 = nodes.member[(0u + _e494)].links[3u];
-                                                phi_1291_ = _e847;
+                                                let _e848 = nodes.member[(0u + _e495)].links[3u];
+                                                phi_1344_ = _e848;
                                             }
-                                            let _e849 = phi_1291_;
-                                            let _e854 = ((_e849 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u);
-                                            let _e855 = (_e854 & 31u);
-                                            if (_e855 >= 24u) {
-                                                phi_1304_ = (24u + ((_e855 - 24u) ^ _e356));
+                                            let _e850 = phi_1344_;
+                                            let _e855 = ((_e850 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u);
+                                            let _e856 = (_e855 & 31u);
+                                            if (_e856 >= 24u) {
+                                                phi_1357_ = (24u + ((_e856 - 24u) ^ _e357));
                                             } else {
-                                                phi_1304_ = _e855;
+                                                phi_1357_ = _e856;
                                             }
-                                            let _e861 = phi_1304_;
-                                            phi_1309_ = (_e763 | ((_e854 >> bitcast<u32>(5i)) << bitcast<u32>((_e861 & 31u))));
+                                            let _e862 = phi_1357_;
+                                            phi_1362_ = (_e764 | ((_e855 >> bitcast<u32>(5i)) << bitcast<u32>((_e862 & 31u))));
                                         } else {
-                                            phi_1309_ = _e763;
+                                            phi_1362_ = _e764;
                                         }
-                                        let _e869 = phi_1309_;
-                                        phi_1310_ = _e869;
+                                        let _e870 = phi_1362_;
+                                        phi_1363_ = _e870;
                                     } else {
-                                        phi_1310_ = _e763;
+                                        phi_1363_ = _e764;
                                     }
-                                    let _e871 = phi_1310_;
-                                    phi_1311_ = _e871;
+                                    let _e872 = phi_1363_;
+                                    phi_1364_ = _e872;
                                 } else {
-                                    phi_1311_ = _e763;
+                                    phi_1364_ = _e764;
                                 }
-                                let _e873 = phi_1311_;
-                                phi_1181_ = (_e761 + 1u);
-                                phi_1184_ = _e873;
+                                let _e874 = phi_1364_;
+                                phi_1234_ = (_e762 + 1u);
+                                phi_1237_ = _e874;
                             } else {
-                                phi_1181_ = u32();
-                                phi_1184_ = u32();
+                                phi_1234_ = u32();
+                                phi_1237_ = u32();
                             }
-                            let _e876 = phi_1181_;
-                            let _e878 = phi_1184_;
+                            let _e877 = phi_1234_;
+                            let _e879 = phi_1237_;
                             continue;
                             continuing {
-                                phi_1180_ = _e876;
-                                phi_1183_ = _e878;
-                                break if !(_e764);
+                                phi_1233_ = _e877;
+                                phi_1236_ = _e879;
+                                break if !(_e765);
                             }
                         }
-                        let _e882 = nodes.member[(0u + _e494)].links[0u];
-                        let _e886 = nodes.member[(0u + _e494)].frame[3u];
-                        let _e890 = local_4;
-                        if ((_e890 & 4278190080u) == 0u) {
+                        let _e883 = nodes.member[(0u + _e495)].links[0u];
+                        let _e887 = nodes.member[(0u + _e495)].frame[3u];
+                        let _e891 = local_3;
+                        if ((_e891 & 4278190080u) == 0u) {
                         } else {
-                            let _e894 = local_3.group_mask;
-                            if ((_e894 & 4278190080u) == 0u) {
+                            let _e895 = local_2.group_mask;
+                            if ((_e895 & 4278190080u) == 0u) {
                             } else {
-                                let _e898 = local_3.len;
-                                if (_e898 < 32u) {
-                                    let _e901 = local_3.group;
-                                    let _e903 = local_3.len;
-                                    if (_e903 < 32u) {
+                                let _e899 = local_2.len;
+                                if (_e899 < 32u) {
+                                    let _e902 = local_2.group;
+                                    let _e904 = local_2.len;
+                                    if (_e904 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.first[(0u + _e903)] = _e901;
-                                    let _e909 = local_3.group_mask;
-                                    let _e911 = local_3.len;
-                                    if (_e911 < 32u) {
+                                    local_2.first[(0u + _e904)] = _e902;
+                                    let _e910 = local_2.group_mask;
+                                    let _e912 = local_2.len;
+                                    if (_e912 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.mask[(0u + _e911)] = _e909;
-                                    let _e918 = local_3.len;
-                                    local_3.len = (_e918 + 1u);
+                                    local_2.mask[(0u + _e912)] = _e910;
+                                    let _e919 = local_2.len;
+                                    local_2.len = (_e919 + 1u);
                                 }
                             }
-                            local_3.group = (_e105 + _e882);
-                            let _e922 = local_5;
-                            local_3.group_mask = ((_e922 & 4278190080u) | (_e886 >> bitcast<u32>(24i)));
+                            local_2.group = (_e112 + _e883);
+                            let _e923 = local_4;
+                            local_2.group_mask = ((_e923 & 4278190080u) | (_e887 >> bitcast<u32>(24i)));
                         }
-                        let _e927 = local_6;
-                        phi_1369_ = (_e927 & 16777215u);
+                        let _e928 = local_5;
+                        phi_1422_ = (_e928 & 16777215u);
                         loop {
-                            let _e930 = phi_1369_;
-                            let _e931 = (_e930 == 0u);
-                            local_12 = _e931;
-                            local_19 = _e931;
-                            if _e931 {
-                                phi_1370_ = u32();
-                                phi_3107_ = false;
+                            let _e931 = phi_1422_;
+                            let _e932 = (_e931 == 0u);
+                            local_11 = _e932;
+                            local_18 = _e932;
+                            if _e932 {
+                                phi_1423_ = u32();
+                                phi_3187_ = false;
                             } else {
-                                let _e934 = nodes.member[(0u + _e494)].links[1u];
-                                let _e938 = (_e934 + select(firstTrailingBit(_e930), 32u, (_e930 == 0u)));
-                                if (_e938 < arrayLength((&instances.member))) {
+                                let _e935 = nodes.member[(0u + _e495)].links[1u];
+                                let _e939 = (_e935 + select(firstTrailingBit(_e931), 32u, (_e931 == 0u)));
+                                if (_e939 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e945 = instances.member[(0u + _e938)].low_world;
-                                let _e947 = instances.member[(0u + _e938)].high_world;
-                                let _e954 = ((_e945.x - _e126) * _e284);
-                                let _e955 = ((_e945.y - _e128) * _e296);
-                                let _e956 = ((_e945.z - _e130) * _e308);
-                                let _e963 = ((_e947.x - _e126) * _e284);
-                                let _e964 = ((_e947.y - _e128) * _e296);
-                                let _e965 = ((_e947.z - _e130) * _e308);
-                                if (_e954 < _e963) {
-                                    phi_1419_ = _e954;
-                                } else {
-                                    phi_1419_ = _e963;
-                                }
-                                let _e968 = phi_1419_;
+                                let _e946 = instances.member[(0u + _e939)].low_world;
+                                let _e948 = instances.member[(0u + _e939)].high_world;
+                                let _e955 = ((_e946.x - _e133) * _e289);
+                                let _e956 = ((_e946.y - _e135) * _e299);
+                                let _e957 = ((_e946.z - _e137) * _e309);
+                                let _e964 = ((_e948.x - _e133) * _e289);
+                                let _e965 = ((_e948.y - _e135) * _e299);
+                                let _e966 = ((_e948.z - _e137) * _e309);
                                 if (_e955 < _e964) {
-                                    phi_1424_ = _e955;
+                                    phi_1472_ = _e955;
                                 } else {
-                                    phi_1424_ = _e964;
+                                    phi_1472_ = _e964;
                                 }
-                                let _e971 = phi_1424_;
+                                let _e969 = phi_1472_;
                                 if (_e956 < _e965) {
-                                    phi_1429_ = _e956;
+                                    phi_1477_ = _e956;
                                 } else {
-                                    phi_1429_ = _e965;
+                                    phi_1477_ = _e965;
                                 }
-                                let _e974 = phi_1429_;
-                                if (_e954 > _e963) {
-                                    phi_1437_ = _e954;
+                                let _e972 = phi_1477_;
+                                if (_e957 < _e966) {
+                                    phi_1482_ = _e957;
                                 } else {
-                                    phi_1437_ = _e963;
+                                    phi_1482_ = _e966;
                                 }
-                                let _e980 = phi_1437_;
+                                let _e975 = phi_1482_;
                                 if (_e955 > _e964) {
-                                    phi_1442_ = _e955;
+                                    phi_1490_ = _e955;
                                 } else {
-                                    phi_1442_ = _e964;
+                                    phi_1490_ = _e964;
                                 }
-                                let _e983 = phi_1442_;
+                                let _e981 = phi_1490_;
                                 if (_e956 > _e965) {
-                                    phi_1447_ = _e956;
+                                    phi_1495_ = _e956;
                                 } else {
-                                    phi_1447_ = _e965;
+                                    phi_1495_ = _e965;
                                 }
-                                let _e986 = phi_1447_;
-                                let _e990 = core_intrinsics_maximum_number_nsz_f32_((_e968 - _e343), (_e971 - _e344));
-                                let _e991 = core_intrinsics_maximum_number_nsz_f32_(_e990, (_e974 - _e345));
-                                let _e992 = core_intrinsics_minimum_number_nsz_f32_((_e980 + _e343), (_e983 + _e344));
-                                let _e993 = core_intrinsics_minimum_number_nsz_f32_(_e992, (_e986 + _e345));
-                                if (_e991 <= _e993) {
-                                    if (_e991 <= _e136) {
-                                        if (_e993 >= 0f) {
-                                            let _e999 = instances.member[(0u + _e938)].world_to_object[0u];
-                                            let _e1010 = ((((_e999.x * _e126) + (_e999.y * _e128)) + (_e999.z * _e130)) + (_e999.w * 1f));
-                                            let _e1012 = instances.member[(0u + _e938)].world_to_object[1u];
-                                            let _e1023 = ((((_e1012.x * _e126) + (_e1012.y * _e128)) + (_e1012.z * _e130)) + (_e1012.w * 1f));
-                                            let _e1025 = instances.member[(0u + _e938)].world_to_object[2u];
-                                            let _e1036 = ((((_e1025.x * _e126) + (_e1025.y * _e128)) + (_e1025.z * _e130)) + (_e1025.w * 1f));
-                                            let _e1042 = instances.member[(0u + _e938)].world_to_object[0u];
-                                            let _e1053 = ((((_e1042.x * _e137.x) + (_e1042.y * _e137.y)) + (_e1042.z * _e137.z)) + (_e1042.w * 0f));
-                                            let _e1055 = instances.member[(0u + _e938)].world_to_object[1u];
-                                            let _e1066 = ((((_e1055.x * _e137.x) + (_e1055.y * _e137.y)) + (_e1055.z * _e137.z)) + (_e1055.w * 0f));
-                                            let _e1068 = instances.member[(0u + _e938)].world_to_object[2u];
-                                            let _e1079 = ((((_e1068.x * _e137.x) + (_e1068.y * _e137.y)) + (_e1068.z * _e137.z)) + (_e1068.w * 0f));
-                                            let _e1082 = instances.member[(0u + _e938)].root;
-                                            let _e1084 = instances.member[(0u + _e938)].first_triangle;
-                                            let _e1088 = abs(_e1053);
-                                            let _e1089 = abs(_e1066);
-                                            let _e1090 = abs(_e1079);
-                                            if (abs(_e1010) < 1000000000000000f) {
-                                                if (abs(_e1023) < 1000000000000000f) {
-                                                    if (abs(_e1036) < 1000000000000000f) {
-                                                        if (_e1088 < 1000000000000000f) {
-                                                            if (_e1089 < 1000000000000000f) {
-                                                                if (_e1090 < 1000000000000000f) {
-                                                                    if (_e1088 > 0f) {
-                                                                        phi_1595_ = bool();
-                                                                        phi_1596_ = true;
+                                let _e984 = phi_1495_;
+                                if (_e957 > _e966) {
+                                    phi_1500_ = _e957;
+                                } else {
+                                    phi_1500_ = _e966;
+                                }
+                                let _e987 = phi_1500_;
+                                let _e991 = core_intrinsics_maximum_number_nsz_f32_((_e969 - _e344), (_e972 - _e345));
+                                let _e992 = core_intrinsics_maximum_number_nsz_f32_(_e991, (_e975 - _e346));
+                                let _e993 = core_intrinsics_minimum_number_nsz_f32_((_e981 + _e344), (_e984 + _e345));
+                                let _e994 = core_intrinsics_minimum_number_nsz_f32_(_e993, (_e987 + _e346));
+                                if (_e992 <= _e994) {
+                                    if (_e992 <= _e141) {
+                                        if (_e994 >= 0f) {
+                                            let _e1000 = instances.member[(0u + _e939)].world_to_object[0u];
+                                            let _e1011 = ((((_e1000.x * _e133) + (_e1000.y * _e135)) + (_e1000.z * _e137)) + (_e1000.w * 1f));
+                                            let _e1013 = instances.member[(0u + _e939)].world_to_object[1u];
+                                            let _e1024 = ((((_e1013.x * _e133) + (_e1013.y * _e135)) + (_e1013.z * _e137)) + (_e1013.w * 1f));
+                                            let _e1026 = instances.member[(0u + _e939)].world_to_object[2u];
+                                            let _e1037 = ((((_e1026.x * _e133) + (_e1026.y * _e135)) + (_e1026.z * _e137)) + (_e1026.w * 1f));
+                                            let _e1040 = instances.member[(0u + _e939)].world_to_object[0u];
+                                            let _e1051 = ((((_e1040.x * _e149) + (_e1040.y * _e150)) + (_e1040.z * _e151)) + (_e1040.w * 0f));
+                                            let _e1053 = instances.member[(0u + _e939)].world_to_object[1u];
+                                            let _e1064 = ((((_e1053.x * _e149) + (_e1053.y * _e150)) + (_e1053.z * _e151)) + (_e1053.w * 0f));
+                                            let _e1066 = instances.member[(0u + _e939)].world_to_object[2u];
+                                            let _e1077 = ((((_e1066.x * _e149) + (_e1066.y * _e150)) + (_e1066.z * _e151)) + (_e1066.w * 0f));
+                                            let _e1080 = instances.member[(0u + _e939)].root;
+                                            let _e1082 = instances.member[(0u + _e939)].first_triangle;
+                                            let _e1086 = abs(_e1051);
+                                            let _e1087 = abs(_e1064);
+                                            let _e1088 = abs(_e1077);
+                                            if (abs(_e1011) < 1000000000000000f) {
+                                                if (abs(_e1024) < 1000000000000000f) {
+                                                    if (abs(_e1037) < 1000000000000000f) {
+                                                        if (_e1086 < 1000000000000000f) {
+                                                            if (_e1087 < 1000000000000000f) {
+                                                                if (_e1088 < 1000000000000000f) {
+                                                                    if (_e1086 > 0f) {
+                                                                        phi_1645_ = bool();
+                                                                        phi_1646_ = true;
                                                                     } else {
-                                                                        let _e1098 = (_e1089 > 0f);
-                                                                        if _e1098 {
-                                                                            phi_1594_ = bool();
+                                                                        let _e1096 = (_e1087 > 0f);
+                                                                        if _e1096 {
+                                                                            phi_1644_ = bool();
                                                                         } else {
-                                                                            phi_1594_ = (_e1090 > 0f);
+                                                                            phi_1644_ = (_e1088 > 0f);
                                                                         }
-                                                                        let _e1101 = phi_1594_;
-                                                                        phi_1595_ = _e1101;
-                                                                        phi_1596_ = _e1098;
+                                                                        let _e1099 = phi_1644_;
+                                                                        phi_1645_ = _e1099;
+                                                                        phi_1646_ = _e1096;
                                                                     }
-                                                                    let _e1103 = phi_1595_;
-                                                                    let _e1105 = phi_1596_;
-                                                                    if _e1105 {
-                                                                        phi_1600_ = true;
+                                                                    let _e1101 = phi_1645_;
+                                                                    let _e1103 = phi_1646_;
+                                                                    if _e1103 {
+                                                                        phi_1650_ = true;
                                                                     } else {
-                                                                        phi_1600_ = _e1103;
+                                                                        phi_1650_ = _e1101;
                                                                     }
-                                                                    let _e1107 = phi_1600_;
-                                                                    phi_1601_ = _e1107;
-                                                                    phi_1602_ = false;
+                                                                    let _e1105 = phi_1650_;
+                                                                    phi_1651_ = _e1105;
+                                                                    phi_1652_ = false;
                                                                 } else {
-                                                                    phi_1601_ = bool();
-                                                                    phi_1602_ = true;
+                                                                    phi_1651_ = bool();
+                                                                    phi_1652_ = true;
                                                                 }
-                                                                let _e1109 = phi_1601_;
-                                                                let _e1111 = phi_1602_;
-                                                                phi_1603_ = _e1109;
-                                                                phi_1604_ = false;
-                                                                phi_1605_ = _e1111;
+                                                                let _e1107 = phi_1651_;
+                                                                let _e1109 = phi_1652_;
+                                                                phi_1653_ = _e1107;
+                                                                phi_1654_ = false;
+                                                                phi_1655_ = _e1109;
                                                             } else {
-                                                                phi_1603_ = bool();
-                                                                phi_1604_ = true;
-                                                                phi_1605_ = false;
+                                                                phi_1653_ = bool();
+                                                                phi_1654_ = true;
+                                                                phi_1655_ = false;
                                                             }
-                                                            let _e1113 = phi_1603_;
-                                                            let _e1115 = phi_1604_;
-                                                            let _e1117 = phi_1605_;
-                                                            phi_1606_ = _e1113;
-                                                            phi_1607_ = _e1115;
-                                                            phi_1608_ = _e1117;
+                                                            let _e1111 = phi_1653_;
+                                                            let _e1113 = phi_1654_;
+                                                            let _e1115 = phi_1655_;
+                                                            phi_1656_ = _e1111;
+                                                            phi_1657_ = _e1113;
+                                                            phi_1658_ = _e1115;
                                                         } else {
-                                                            phi_1606_ = bool();
-                                                            phi_1607_ = true;
-                                                            phi_1608_ = false;
+                                                            phi_1656_ = bool();
+                                                            phi_1657_ = true;
+                                                            phi_1658_ = false;
                                                         }
-                                                        let _e1119 = phi_1606_;
-                                                        let _e1121 = phi_1607_;
-                                                        let _e1123 = phi_1608_;
-                                                        phi_1609_ = _e1119;
-                                                        phi_1610_ = _e1121;
-                                                        phi_1611_ = _e1123;
+                                                        let _e1117 = phi_1656_;
+                                                        let _e1119 = phi_1657_;
+                                                        let _e1121 = phi_1658_;
+                                                        phi_1659_ = _e1117;
+                                                        phi_1660_ = _e1119;
+                                                        phi_1661_ = _e1121;
                                                     } else {
-                                                        phi_1609_ = bool();
-                                                        phi_1610_ = true;
-                                                        phi_1611_ = false;
+                                                        phi_1659_ = bool();
+                                                        phi_1660_ = true;
+                                                        phi_1661_ = false;
                                                     }
-                                                    let _e1125 = phi_1609_;
-                                                    let _e1127 = phi_1610_;
-                                                    let _e1129 = phi_1611_;
-                                                    phi_1612_ = _e1125;
-                                                    phi_1613_ = _e1127;
-                                                    phi_1614_ = _e1129;
+                                                    let _e1123 = phi_1659_;
+                                                    let _e1125 = phi_1660_;
+                                                    let _e1127 = phi_1661_;
+                                                    phi_1662_ = _e1123;
+                                                    phi_1663_ = _e1125;
+                                                    phi_1664_ = _e1127;
                                                 } else {
-                                                    phi_1612_ = bool();
-                                                    phi_1613_ = true;
-                                                    phi_1614_ = false;
+                                                    phi_1662_ = bool();
+                                                    phi_1663_ = true;
+                                                    phi_1664_ = false;
                                                 }
-                                                let _e1131 = phi_1612_;
-                                                let _e1133 = phi_1613_;
-                                                let _e1135 = phi_1614_;
-                                                phi_1615_ = _e1131;
-                                                phi_1616_ = _e1133;
-                                                phi_1617_ = _e1135;
+                                                let _e1129 = phi_1662_;
+                                                let _e1131 = phi_1663_;
+                                                let _e1133 = phi_1664_;
+                                                phi_1665_ = _e1129;
+                                                phi_1666_ = _e1131;
+                                                phi_1667_ = _e1133;
                                             } else {
-                                                phi_1615_ = bool();
-                                                phi_1616_ = true;
-                                                phi_1617_ = false;
+                                                phi_1665_ = bool();
+                                                phi_1666_ = true;
+                                                phi_1667_ = false;
                                             }
-                                            let _e1137 = phi_1615_;
-                                            let _e1139 = phi_1616_;
-                                            let _e1141 = phi_1617_;
-                                            if _e1139 {
-                                                phi_1621_ = true;
+                                            let _e1135 = phi_1665_;
+                                            let _e1137 = phi_1666_;
+                                            let _e1139 = phi_1667_;
+                                            if _e1137 {
+                                                phi_1671_ = true;
                                             } else {
-                                                phi_1621_ = _e1141;
+                                                phi_1671_ = _e1139;
                                             }
-                                            let _e1143 = phi_1621_;
+                                            let _e1141 = phi_1671_;
+                                            if _e1141 {
+                                                phi_1675_ = false;
+                                            } else {
+                                                phi_1675_ = _e1135;
+                                            }
+                                            let _e1143 = phi_1675_;
                                             if _e1143 {
-                                                phi_1625_ = false;
-                                            } else {
-                                                phi_1625_ = _e1137;
-                                            }
-                                            let _e1145 = phi_1625_;
-                                            if _e1145 {
-                                                let _e1146 = (_e1082 >= _e72);
-                                                if _e1146 {
-                                                    phi_3090_ = bool();
+                                                let _e1144 = (_e1080 >= _e76);
+                                                if _e1144 {
+                                                    phi_3170_ = bool();
                                                 } else {
-                                                    if (_e1082 < _e72) {
+                                                    if (_e1080 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1152 = nodes.member[(0u + _e1082)].frame[0u];
-                                                    let _e1156 = nodes.member[(0u + _e1082)].frame[1u];
-                                                    let _e1160 = nodes.member[(0u + _e1082)].frame[2u];
-                                                    let _e1164 = nodes.member[(0u + _e1082)].frame[0u];
-                                                    let _e1168 = nodes.member[(0u + _e1082)].frame[1u];
-                                                    let _e1172 = nodes.member[(0u + _e1082)].frame[2u];
-                                                    let _e1176 = nodes.member[(0u + _e1082)].frame[3u];
-                                                    let _e1210 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1053), abs(_e1066));
-                                                    let _e1211 = core_intrinsics_maximum_number_nsz_f32_(_e1210, abs(_e1079));
-                                                    let _e1212 = (_e1211 * 0.0000000000009094947f);
-                                                    if (abs(_e1053) < _e1212) {
-                                                        phi_1695_ = _e1212;
+                                                    let _e1150 = nodes.member[(0u + _e1080)].frame[0u];
+                                                    let _e1154 = nodes.member[(0u + _e1080)].frame[1u];
+                                                    let _e1158 = nodes.member[(0u + _e1080)].frame[2u];
+                                                    let _e1162 = nodes.member[(0u + _e1080)].frame[0u];
+                                                    let _e1166 = nodes.member[(0u + _e1080)].frame[1u];
+                                                    let _e1170 = nodes.member[(0u + _e1080)].frame[2u];
+                                                    let _e1174 = nodes.member[(0u + _e1080)].frame[3u];
+                                                    let _e1208 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1051), abs(_e1064));
+                                                    let _e1209 = core_intrinsics_maximum_number_nsz_f32_(_e1208, abs(_e1077));
+                                                    let _e1210 = (_e1209 * 0.0000000000009094947f);
+                                                    if (abs(_e1051) < _e1210) {
+                                                        phi_1745_ = _e1210;
                                                     } else {
-                                                        phi_1695_ = abs(_e1053);
+                                                        phi_1745_ = abs(_e1051);
                                                     }
-                                                    let _e1217 = phi_1695_;
-                                                    if (_e1053 < 0f) {
-                                                        phi_1702_ = (-1f / _e1217);
+                                                    let _e1215 = phi_1745_;
+                                                    if (_e1051 < 0f) {
+                                                        phi_1752_ = (-1f / _e1215);
                                                     } else {
-                                                        phi_1702_ = (1f / _e1217);
+                                                        phi_1752_ = (1f / _e1215);
                                                     }
-                                                    let _e1222 = phi_1702_;
-                                                    if (abs(_e1066) < _e1212) {
-                                                        phi_1709_ = _e1212;
+                                                    let _e1220 = phi_1752_;
+                                                    if (abs(_e1064) < _e1210) {
+                                                        phi_1759_ = _e1210;
                                                     } else {
-                                                        phi_1709_ = abs(_e1066);
+                                                        phi_1759_ = abs(_e1064);
                                                     }
-                                                    let _e1227 = phi_1709_;
-                                                    if (_e1066 < 0f) {
-                                                        phi_1716_ = (-1f / _e1227);
+                                                    let _e1225 = phi_1759_;
+                                                    if (_e1064 < 0f) {
+                                                        phi_1766_ = (-1f / _e1225);
                                                     } else {
-                                                        phi_1716_ = (1f / _e1227);
+                                                        phi_1766_ = (1f / _e1225);
                                                     }
-                                                    let _e1232 = phi_1716_;
-                                                    if (abs(_e1079) < _e1212) {
-                                                        phi_1723_ = _e1212;
+                                                    let _e1230 = phi_1766_;
+                                                    if (abs(_e1077) < _e1210) {
+                                                        phi_1773_ = _e1210;
                                                     } else {
-                                                        phi_1723_ = abs(_e1079);
+                                                        phi_1773_ = abs(_e1077);
                                                     }
-                                                    let _e1237 = phi_1723_;
-                                                    if (_e1079 < 0f) {
-                                                        phi_1730_ = (-1f / _e1237);
+                                                    let _e1235 = phi_1773_;
+                                                    if (_e1077 < 0f) {
+                                                        phi_1780_ = (-1f / _e1235);
                                                     } else {
-                                                        phi_1730_ = (1f / _e1237);
+                                                        phi_1780_ = (1f / _e1235);
                                                     }
-                                                    let _e1242 = phi_1730_;
-                                                    let _e1246 = abs((bitcast<f32>(_e1152) - _e1010));
-                                                    let _e1247 = abs((bitcast<f32>(_e1156) - _e1023));
-                                                    let _e1248 = abs((bitcast<f32>(_e1160) - _e1036));
-                                                    let _e1252 = abs(((bitcast<f32>(_e1164) + (bitcast<f32>((((_e1176 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1010));
-                                                    let _e1253 = abs(((bitcast<f32>(_e1168) + (bitcast<f32>((((_e1176 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1023));
-                                                    let _e1254 = abs(((bitcast<f32>(_e1172) + (bitcast<f32>((((_e1176 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1036));
+                                                    let _e1240 = phi_1780_;
+                                                    let _e1244 = abs((bitcast<f32>(_e1150) - _e1011));
+                                                    let _e1245 = abs((bitcast<f32>(_e1154) - _e1024));
+                                                    let _e1246 = abs((bitcast<f32>(_e1158) - _e1037));
+                                                    let _e1250 = abs(((bitcast<f32>(_e1162) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1011));
+                                                    let _e1251 = abs(((bitcast<f32>(_e1166) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1024));
+                                                    let _e1252 = abs(((bitcast<f32>(_e1170) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1037));
+                                                    if (_e1244 > _e1250) {
+                                                        phi_1797_ = _e1244;
+                                                    } else {
+                                                        phi_1797_ = _e1250;
+                                                    }
+                                                    let _e1255 = phi_1797_;
+                                                    if (_e1245 > _e1251) {
+                                                        phi_1802_ = _e1245;
+                                                    } else {
+                                                        phi_1802_ = _e1251;
+                                                    }
+                                                    let _e1258 = phi_1802_;
                                                     if (_e1246 > _e1252) {
-                                                        phi_1747_ = _e1246;
+                                                        phi_1807_ = _e1246;
                                                     } else {
-                                                        phi_1747_ = _e1252;
+                                                        phi_1807_ = _e1252;
                                                     }
-                                                    let _e1257 = phi_1747_;
-                                                    if (_e1247 > _e1253) {
-                                                        phi_1752_ = _e1247;
-                                                    } else {
-                                                        phi_1752_ = _e1253;
-                                                    }
-                                                    let _e1260 = phi_1752_;
-                                                    if (_e1248 > _e1254) {
-                                                        phi_1757_ = _e1248;
-                                                    } else {
-                                                        phi_1757_ = _e1254;
-                                                    }
-                                                    let _e1263 = phi_1757_;
-                                                    let _e1264 = core_intrinsics_maximum_number_nsz_f32_(_e1257, _e1260);
-                                                    let _e1265 = core_intrinsics_maximum_number_nsz_f32_(_e1264, _e1263);
-                                                    let _e1269 = (_e1265 * 0.0000019073486f);
-                                                    let _e1270 = (abs(_e1222) * _e1269);
-                                                    let _e1271 = (abs(_e1232) * _e1269);
-                                                    let _e1272 = (abs(_e1242) * _e1269);
-                                                    let _e1276 = (_e1265 * 0.0000009536743f);
-                                                    let _e1277 = (abs(_e1222) * _e1276);
-                                                    let _e1278 = (abs(_e1232) * _e1276);
-                                                    let _e1279 = (abs(_e1242) * _e1276);
-                                                    let _e1280 = abs(_e1053);
-                                                    let _e1281 = abs(_e1066);
-                                                    let _e1282 = abs(_e1079);
-                                                    if (_e1280 >= _e1281) {
-                                                        if (_e1280 >= _e1282) {
-                                                            phi_1785_ = false;
+                                                    let _e1261 = phi_1807_;
+                                                    let _e1262 = core_intrinsics_maximum_number_nsz_f32_(_e1255, _e1258);
+                                                    let _e1263 = core_intrinsics_maximum_number_nsz_f32_(_e1262, _e1261);
+                                                    let _e1267 = (_e1263 * 0.0000019073486f);
+                                                    let _e1268 = (abs(_e1220) * _e1267);
+                                                    let _e1269 = (abs(_e1230) * _e1267);
+                                                    let _e1270 = (abs(_e1240) * _e1267);
+                                                    let _e1274 = (_e1263 * 0.0000009536743f);
+                                                    let _e1275 = (abs(_e1220) * _e1274);
+                                                    let _e1276 = (abs(_e1230) * _e1274);
+                                                    let _e1277 = (abs(_e1240) * _e1274);
+                                                    let _e1278 = abs(_e1051);
+                                                    let _e1279 = abs(_e1064);
+                                                    let _e1280 = abs(_e1077);
+                                                    if (_e1278 >= _e1279) {
+                                                        if (_e1278 >= _e1280) {
+                                                            phi_1835_ = false;
                                                         } else {
-                                                            phi_1785_ = true;
+                                                            phi_1835_ = true;
                                                         }
-                                                        let _e1286 = phi_1785_;
-                                                        phi_1786_ = _e1286;
+                                                        let _e1284 = phi_1835_;
+                                                        phi_1836_ = _e1284;
                                                     } else {
-                                                        phi_1786_ = true;
+                                                        phi_1836_ = true;
                                                     }
-                                                    let _e1288 = phi_1786_;
-                                                    if _e1288 {
-                                                        if (_e1281 >= _e1282) {
-                                                            phi_1794_ = 1u;
+                                                    let _e1286 = phi_1836_;
+                                                    if _e1286 {
+                                                        if (_e1279 >= _e1280) {
+                                                            phi_1844_ = 1u;
                                                         } else {
-                                                            phi_1794_ = 2u;
+                                                            phi_1844_ = 2u;
                                                         }
-                                                        let _e1291 = phi_1794_;
-                                                        phi_1795_ = _e1291;
+                                                        let _e1289 = phi_1844_;
+                                                        phi_1845_ = _e1289;
                                                     } else {
-                                                        phi_1795_ = 0u;
+                                                        phi_1845_ = 0u;
                                                     }
-                                                    let _e1293 = phi_1795_;
-                                                    if (_e1293 == 0u) {
-                                                        phi_1807_ = vec3<f32>(_e1066, _e1079, _e1053);
+                                                    let _e1291 = phi_1845_;
+                                                    if (_e1291 == 0u) {
+                                                        phi_1857_ = vec3<f32>(_e1064, _e1077, _e1051);
                                                     } else {
-                                                        if (_e1293 == 1u) {
-                                                            phi_1806_ = vec3<f32>(_e1079, _e1053, _e1066);
+                                                        if (_e1291 == 1u) {
+                                                            phi_1856_ = vec3<f32>(_e1077, _e1051, _e1064);
                                                         } else {
-                                                            phi_1806_ = vec3<f32>(_e1053, _e1066, _e1079);
+                                                            phi_1856_ = vec3<f32>(_e1051, _e1064, _e1077);
                                                         }
-                                                        let _e1299 = phi_1806_;
-                                                        phi_1807_ = _e1299;
+                                                        let _e1297 = phi_1856_;
+                                                        phi_1857_ = _e1297;
                                                     }
-                                                    let _e1301 = phi_1807_;
-                                                    let _e1304 = (_e1301.x / _e1301.z);
-                                                    let _e1307 = (_e1301.y / _e1301.z);
-                                                    let _e1309 = (1f / _e1301.z);
-                                                    if (_e1222 < 0f) {
-                                                        phi_1820_ = 0u;
+                                                    let _e1299 = phi_1857_;
+                                                    let _e1302 = (_e1299.x / _e1299.z);
+                                                    let _e1305 = (_e1299.y / _e1299.z);
+                                                    let _e1307 = (1f / _e1299.z);
+                                                    if (_e1220 < 0f) {
+                                                        phi_1870_ = 0u;
                                                     } else {
-                                                        phi_1820_ = 1u;
+                                                        phi_1870_ = 1u;
                                                     }
-                                                    let _e1312 = phi_1820_;
-                                                    if (_e1232 < 0f) {
-                                                        phi_1825_ = 0u;
+                                                    let _e1310 = phi_1870_;
+                                                    if (_e1230 < 0f) {
+                                                        phi_1875_ = 0u;
                                                     } else {
-                                                        phi_1825_ = 2u;
+                                                        phi_1875_ = 2u;
                                                     }
-                                                    let _e1315 = phi_1825_;
-                                                    if (_e1242 < 0f) {
-                                                        phi_1830_ = 0u;
+                                                    let _e1313 = phi_1875_;
+                                                    if (_e1240 < 0f) {
+                                                        phi_1880_ = 0u;
                                                     } else {
-                                                        phi_1830_ = 4u;
+                                                        phi_1880_ = 4u;
                                                     }
-                                                    let _e1318 = phi_1830_;
-                                                    let _e1320 = ((_e1312 | _e1315) | _e1318);
-                                                    let _e1321 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1082, 2147483648u);
-                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1321.first[0], _e1321.first[1], _e1321.first[2], _e1321.first[3], _e1321.first[4], _e1321.first[5], _e1321.first[6], _e1321.first[7], _e1321.first[8], _e1321.first[9], _e1321.first[10], _e1321.first[11], _e1321.first[12], _e1321.first[13], _e1321.first[14], _e1321.first[15], _e1321.first[16], _e1321.first[17], _e1321.first[18], _e1321.first[19], _e1321.first[20], _e1321.first[21], _e1321.first[22], _e1321.first[23], _e1321.first[24], _e1321.first[25], _e1321.first[26], _e1321.first[27], _e1321.first[28], _e1321.first[29], _e1321.first[30], _e1321.first[31]), array<u32, 32>(_e1321.mask[0], _e1321.mask[1], _e1321.mask[2], _e1321.mask[3], _e1321.mask[4], _e1321.mask[5], _e1321.mask[6], _e1321.mask[7], _e1321.mask[8], _e1321.mask[9], _e1321.mask[10], _e1321.mask[11], _e1321.mask[12], _e1321.mask[13], _e1321.mask[14], _e1321.mask[15], _e1321.mask[16], _e1321.mask[17], _e1321.mask[18], _e1321.mask[19], _e1321.mask[20], _e1321.mask[21], _e1321.mask[22], _e1321.mask[23], _e1321.mask[24], _e1321.mask[25], _e1321.mask[26], _e1321.mask[27], _e1321.mask[28], _e1321.mask[29], _e1321.mask[30], _e1321.mask[31]), _e1321.len, _e1321.group, _e1321.group_mask);
-                                                    let _e1395 = local_2.group_mask;
-                                                    if ((_e1395 & 4278190080u) == 0u) {
-                                                        let _e1399 = local_2.len;
-                                                        if (_e1399 == 0u) {
-                                                            phi_1944_ = false;
+                                                    let _e1316 = phi_1880_;
+                                                    let _e1318 = ((_e1310 | _e1313) | _e1316);
+                                                    let _e1319 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1080, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1319.first[0], _e1319.first[1], _e1319.first[2], _e1319.first[3], _e1319.first[4], _e1319.first[5], _e1319.first[6], _e1319.first[7], _e1319.first[8], _e1319.first[9], _e1319.first[10], _e1319.first[11], _e1319.first[12], _e1319.first[13], _e1319.first[14], _e1319.first[15], _e1319.first[16], _e1319.first[17], _e1319.first[18], _e1319.first[19], _e1319.first[20], _e1319.first[21], _e1319.first[22], _e1319.first[23], _e1319.first[24], _e1319.first[25], _e1319.first[26], _e1319.first[27], _e1319.first[28], _e1319.first[29], _e1319.first[30], _e1319.first[31]), array<u32, 32>(_e1319.mask[0], _e1319.mask[1], _e1319.mask[2], _e1319.mask[3], _e1319.mask[4], _e1319.mask[5], _e1319.mask[6], _e1319.mask[7], _e1319.mask[8], _e1319.mask[9], _e1319.mask[10], _e1319.mask[11], _e1319.mask[12], _e1319.mask[13], _e1319.mask[14], _e1319.mask[15], _e1319.mask[16], _e1319.mask[17], _e1319.mask[18], _e1319.mask[19], _e1319.mask[20], _e1319.mask[21], _e1319.mask[22], _e1319.mask[23], _e1319.mask[24], _e1319.mask[25], _e1319.mask[26], _e1319.mask[27], _e1319.mask[28], _e1319.mask[29], _e1319.mask[30], _e1319.mask[31]), _e1319.len, _e1319.group, _e1319.group_mask);
+                                                    let _e1393 = local_1.group_mask;
+                                                    if ((_e1393 & 4278190080u) == 0u) {
+                                                        let _e1397 = local_1.len;
+                                                        if (_e1397 == 0u) {
+                                                            phi_1994_ = false;
                                                         } else {
-                                                            let _e1403 = local_2.len;
-                                                            local_2.len = (_e1403 - 1u);
-                                                            let _e1406 = local_2.len;
-                                                            if (_e1406 < 32u) {
+                                                            let _e1401 = local_1.len;
+                                                            local_1.len = (_e1401 - 1u);
+                                                            let _e1404 = local_1.len;
+                                                            if (_e1404 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1411 = local_2.first[(0u + _e1406)];
-                                                            local_2.group = _e1411;
-                                                            let _e1414 = local_2.len;
-                                                            if (_e1414 < 32u) {
+                                                            let _e1409 = local_1.first[(0u + _e1404)];
+                                                            local_1.group = _e1409;
+                                                            let _e1412 = local_1.len;
+                                                            if (_e1412 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1419 = local_2.mask[(0u + _e1414)];
-                                                            local_2.group_mask = _e1419;
-                                                            phi_1944_ = true;
+                                                            let _e1417 = local_1.mask[(0u + _e1412)];
+                                                            local_1.group_mask = _e1417;
+                                                            phi_1994_ = true;
                                                         }
-                                                        let _e1422 = phi_1944_;
-                                                        phi_1945_ = _e1422;
+                                                        let _e1420 = phi_1994_;
+                                                        phi_1995_ = _e1420;
                                                     } else {
-                                                        phi_1945_ = true;
+                                                        phi_1995_ = true;
                                                     }
-                                                    let _e1424 = phi_1945_;
-                                                    if _e1424 {
-                                                        let _e1426 = local_2.group_mask;
-                                                        let _e1432 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1426)), 32u, (_e1426 == 0u)));
-                                                        let _e1436 = local_2.group_mask;
-                                                        let _e1450 = local_2.group_mask;
-                                                        local_2.group_mask = (_e1450 & ~((1u << bitcast<u32>((_e1432 & 31u)))));
-                                                        let _e1453 = local_2.group;
-                                                        phi_1976_ = (_e1453 + countOneBits(((_e1436 & ~((4294967295u << bitcast<u32>((((_e1432 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1422 = phi_1995_;
+                                                    if _e1422 {
+                                                        let _e1424 = local_1.group_mask;
+                                                        let _e1430 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1424)), 32u, (_e1424 == 0u)));
+                                                        let _e1434 = local_1.group_mask;
+                                                        let _e1448 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1448 & ~((1u << bitcast<u32>((_e1430 & 31u)))));
+                                                        let _e1451 = local_1.group;
+                                                        phi_2026_ = (_e1451 + countOneBits(((_e1434 & ~((4294967295u << bitcast<u32>((((_e1430 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1976_ = 4294967295u;
+                                                        phi_2026_ = 4294967295u;
                                                     }
-                                                    let _e1456 = phi_1976_;
-                                                    phi_1978_ = _e1456;
+                                                    let _e1454 = phi_2026_;
+                                                    phi_2028_ = _e1454;
                                                     loop {
-                                                        let _e1458 = phi_1978_;
-                                                        if (_e1458 != 4294967295u) {
-                                                            if (_e1458 < _e72) {
+                                                        let _e1456 = phi_2028_;
+                                                        if (_e1456 != 4294967295u) {
+                                                            if (_e1456 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1465 = nodes.member[(0u + _e1458)].frame[3u];
-                                                            let _e1490 = (bitcast<f32>((((_e1465 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1222);
-                                                            let _e1491 = (bitcast<f32>((((_e1465 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1232);
-                                                            let _e1492 = (bitcast<f32>((((_e1465 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1242);
-                                                            let _e1495 = nodes.member[(0u + _e1458)].frame[0u];
-                                                            let _e1499 = nodes.member[(0u + _e1458)].frame[1u];
-                                                            let _e1503 = nodes.member[(0u + _e1458)].frame[2u];
-                                                            let _e1508 = ((bitcast<f32>(_e1495) - _e1010) * _e1222);
-                                                            let _e1509 = ((bitcast<f32>(_e1499) - _e1023) * _e1232);
-                                                            let _e1510 = ((bitcast<f32>(_e1503) - _e1036) * _e1242);
-                                                            let _e1518 = nodes.member[(0u + _e1458)].x;
-                                                            if (_e1222 < 0f) {
-                                                                let _e1529 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1518.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1529.unnamed.root, _e1518.w), _e1529.unnamed_1);
-                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1535.unnamed, lt_bvh_traverse_Tree(_e1518.x, _e1535.unnamed_1.first_primitive));
-                                                                phi_2059_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_bvh_traverse_Tree(_e1541.unnamed_1.root, _e1518.y));
+                                                            let _e1463 = nodes.member[(0u + _e1456)].frame[3u];
+                                                            let _e1488 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1220);
+                                                            let _e1489 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1230);
+                                                            let _e1490 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1240);
+                                                            let _e1493 = nodes.member[(0u + _e1456)].frame[0u];
+                                                            let _e1497 = nodes.member[(0u + _e1456)].frame[1u];
+                                                            let _e1501 = nodes.member[(0u + _e1456)].frame[2u];
+                                                            let _e1506 = ((bitcast<f32>(_e1493) - _e1011) * _e1220);
+                                                            let _e1507 = ((bitcast<f32>(_e1497) - _e1024) * _e1230);
+                                                            let _e1508 = ((bitcast<f32>(_e1501) - _e1037) * _e1240);
+                                                            let _e1516 = nodes.member[(0u + _e1456)].x;
+                                                            if (_e1220 < 0f) {
+                                                                let _e1527 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1533 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.unnamed.root, _e1516.w), _e1527.unnamed_1);
+                                                                let _e1539 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1533.unnamed, lt_bvh_traverse_Tree(_e1516.x, _e1533.unnamed_1.first_primitive));
+                                                                phi_2109_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1539.unnamed, lt_bvh_traverse_Tree(_e1539.unnamed_1.root, _e1516.y));
                                                             } else {
-                                                                let _e1557 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1518.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1563 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1557.unnamed.root, _e1518.y), _e1557.unnamed_1);
-                                                                let _e1569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1563.unnamed, lt_bvh_traverse_Tree(_e1518.z, _e1563.unnamed_1.first_primitive));
-                                                                phi_2059_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1569.unnamed, lt_bvh_traverse_Tree(_e1569.unnamed_1.root, _e1518.w));
+                                                                let _e1555 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1561 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1555.unnamed.root, _e1516.y), _e1555.unnamed_1);
+                                                                let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1561.unnamed, lt_bvh_traverse_Tree(_e1516.z, _e1561.unnamed_1.first_primitive));
+                                                                phi_2109_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1567.unnamed, lt_bvh_traverse_Tree(_e1567.unnamed_1.root, _e1516.w));
                                                             }
-                                                            let _e1577 = phi_2059_;
-                                                            let _e1587 = nodes.member[(0u + _e1458)].y;
-                                                            if (_e1232 < 0f) {
-                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1587.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1598.unnamed.root, _e1587.w), _e1598.unnamed_1);
-                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_bvh_traverse_Tree(_e1587.x, _e1604.unnamed_1.first_primitive));
-                                                                phi_2086_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_bvh_traverse_Tree(_e1610.unnamed_1.root, _e1587.y));
+                                                            let _e1575 = phi_2109_;
+                                                            let _e1585 = nodes.member[(0u + _e1456)].y;
+                                                            if (_e1230 < 0f) {
+                                                                let _e1596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.unnamed.root, _e1585.w), _e1596.unnamed_1);
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1602.unnamed, lt_bvh_traverse_Tree(_e1585.x, _e1602.unnamed_1.first_primitive));
+                                                                phi_2136_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1608.unnamed_1.root, _e1585.y));
                                                             } else {
-                                                                let _e1626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1587.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1626.unnamed.root, _e1587.y), _e1626.unnamed_1);
-                                                                let _e1638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1632.unnamed, lt_bvh_traverse_Tree(_e1587.z, _e1632.unnamed_1.first_primitive));
-                                                                phi_2086_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1638.unnamed, lt_bvh_traverse_Tree(_e1638.unnamed_1.root, _e1587.w));
+                                                                let _e1624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1624.unnamed.root, _e1585.y), _e1624.unnamed_1);
+                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1630.unnamed, lt_bvh_traverse_Tree(_e1585.z, _e1630.unnamed_1.first_primitive));
+                                                                phi_2136_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1636.unnamed_1.root, _e1585.w));
                                                             }
-                                                            let _e1646 = phi_2086_;
-                                                            let _e1656 = nodes.member[(0u + _e1458)].z;
-                                                            if (_e1242 < 0f) {
-                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1656.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1667.unnamed.root, _e1656.w), _e1667.unnamed_1);
-                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1656.x, _e1673.unnamed_1.first_primitive));
-                                                                phi_2113_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_bvh_traverse_Tree(_e1679.unnamed_1.root, _e1656.y));
+                                                            let _e1644 = phi_2136_;
+                                                            let _e1654 = nodes.member[(0u + _e1456)].z;
+                                                            if (_e1240 < 0f) {
+                                                                let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.unnamed.root, _e1654.w), _e1665.unnamed_1);
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_bvh_traverse_Tree(_e1654.x, _e1671.unnamed_1.first_primitive));
+                                                                phi_2163_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1677.unnamed_1.root, _e1654.y));
                                                             } else {
-                                                                let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1656.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1695.unnamed.root, _e1656.y), _e1695.unnamed_1);
-                                                                let _e1707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_bvh_traverse_Tree(_e1656.z, _e1701.unnamed_1.first_primitive));
-                                                                phi_2113_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1707.unnamed, lt_bvh_traverse_Tree(_e1707.unnamed_1.root, _e1656.w));
+                                                                let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1693.unnamed.root, _e1654.y), _e1693.unnamed_1);
+                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_bvh_traverse_Tree(_e1654.z, _e1699.unnamed_1.first_primitive));
+                                                                phi_2163_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1705.unnamed_1.root, _e1654.w));
                                                             }
-                                                            let _e1715 = phi_2113_;
-                                                            phi_2119_ = 0u;
-                                                            phi_2122_ = 0u;
+                                                            let _e1713 = phi_2163_;
+                                                            phi_2169_ = 0u;
+                                                            phi_2172_ = 0u;
                                                             loop {
-                                                                let _e1725 = phi_2119_;
-                                                                let _e1727 = phi_2122_;
-                                                                local_7 = _e1727;
-                                                                local_8 = _e1727;
-                                                                local_9 = _e1727;
-                                                                let _e1728 = (_e1725 < 8u);
-                                                                if _e1728 {
-                                                                    let _e1730 = (_e1725 >> bitcast<u32>(2i));
-                                                                    let _e1731 = (_e1725 & 3u);
-                                                                    if (_e1730 == 0u) {
-                                                                        phi_2136_ = _e1577.unnamed.root;
+                                                                let _e1723 = phi_2169_;
+                                                                let _e1725 = phi_2172_;
+                                                                local_6 = _e1725;
+                                                                local_7 = _e1725;
+                                                                local_8 = _e1725;
+                                                                let _e1726 = (_e1723 < 8u);
+                                                                if _e1726 {
+                                                                    let _e1728 = (_e1723 >> bitcast<u32>(2i));
+                                                                    let _e1729 = (_e1723 & 3u);
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2186_ = _e1575.unnamed.root;
                                                                     } else {
-                                                                        phi_2136_ = _e1577.unnamed.first_primitive;
+                                                                        phi_2186_ = _e1575.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1734 = phi_2136_;
-                                                                    if (_e1730 == 0u) {
-                                                                        phi_2146_ = _e1646.unnamed.root;
+                                                                    let _e1732 = phi_2186_;
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2196_ = _e1644.unnamed.root;
                                                                     } else {
-                                                                        phi_2146_ = _e1646.unnamed.first_primitive;
+                                                                        phi_2196_ = _e1644.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1743 = phi_2146_;
-                                                                    if (_e1730 == 0u) {
-                                                                        phi_2156_ = _e1715.unnamed.root;
+                                                                    let _e1741 = phi_2196_;
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2206_ = _e1713.unnamed.root;
                                                                     } else {
-                                                                        phi_2156_ = _e1715.unnamed.first_primitive;
+                                                                        phi_2206_ = _e1713.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1752 = phi_2156_;
-                                                                    let _e1765 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1734 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 - _e1270)), ((f32(((_e1743 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1491) + (_e1509 - _e1271)));
-                                                                    let _e1766 = core_intrinsics_maximum_number_nsz_f32_(_e1765, ((f32(((_e1752 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 - _e1272)));
-                                                                    if (_e1730 == 0u) {
-                                                                        phi_2174_ = _e1577.unnamed_1.root;
+                                                                    let _e1750 = phi_2206_;
+                                                                    let _e1763 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1732 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 - _e1268)), ((f32(((_e1741 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 - _e1269)));
+                                                                    let _e1764 = core_intrinsics_maximum_number_nsz_f32_(_e1763, ((f32(((_e1750 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 - _e1270)));
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2224_ = _e1575.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2174_ = _e1577.unnamed_1.first_primitive;
+                                                                        phi_2224_ = _e1575.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1769 = phi_2174_;
-                                                                    if (_e1730 == 0u) {
-                                                                        phi_2184_ = _e1646.unnamed_1.root;
+                                                                    let _e1767 = phi_2224_;
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2234_ = _e1644.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2184_ = _e1646.unnamed_1.first_primitive;
+                                                                        phi_2234_ = _e1644.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1778 = phi_2184_;
-                                                                    if (_e1730 == 0u) {
-                                                                        phi_2194_ = _e1715.unnamed_1.root;
+                                                                    let _e1776 = phi_2234_;
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2244_ = _e1713.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2194_ = _e1715.unnamed_1.first_primitive;
+                                                                        phi_2244_ = _e1713.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1787 = phi_2194_;
-                                                                    let _e1800 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1769 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 + _e1270)), ((f32(((_e1778 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1491) + (_e1509 + _e1271)));
-                                                                    let _e1801 = core_intrinsics_minimum_number_nsz_f32_(_e1800, ((f32(((_e1787 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 + _e1272)));
-                                                                    if (_e1766 <= _e1801) {
-                                                                        if (_e1766 <= _e136) {
-                                                                            if (_e1801 >= 0f) {
-                                                                                if (_e1730 == 0u) {
-                                                                                    let _e1808 = nodes.member[(0u + _e1458)].links[2u];
-                                                                                    phi_2230_ = _e1808;
+                                                                    let _e1785 = phi_2244_;
+                                                                    let _e1798 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1767 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 + _e1268)), ((f32(((_e1776 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 + _e1269)));
+                                                                    let _e1799 = core_intrinsics_minimum_number_nsz_f32_(_e1798, ((f32(((_e1785 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 + _e1270)));
+                                                                    if (_e1764 <= _e1799) {
+                                                                        if (_e1764 <= _e141) {
+                                                                            if (_e1799 >= 0f) {
+                                                                                if (_e1728 == 0u) {
+                                                                                    let _e1806 = nodes.member[(0u + _e1456)].links[2u];
+                                                                                    phi_2280_ = _e1806;
                                                                                 } else {
-                                                                                    let _e1811 = nodes.member[(0u + _e1458)].links[3u];
-                                                                                    phi_2230_ = _e1811;
+                                                                                    let _e1809 = nodes.member[(0u + _e1456)].links[3u];
+                                                                                    phi_2280_ = _e1809;
                                                                                 }
-                                                                                let _e1813 = phi_2230_;
-                                                                                let _e1818 = ((_e1813 >> bitcast<u32>(((_e1731 * 8u) & 31u))) & 255u);
-                                                                                let _e1819 = (_e1818 & 31u);
-                                                                                if (_e1819 >= 24u) {
-                                                                                    phi_2243_ = (24u + ((_e1819 - 24u) ^ _e1320));
+                                                                                let _e1811 = phi_2280_;
+                                                                                let _e1816 = ((_e1811 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u);
+                                                                                let _e1817 = (_e1816 & 31u);
+                                                                                if (_e1817 >= 24u) {
+                                                                                    phi_2293_ = (24u + ((_e1817 - 24u) ^ _e1318));
                                                                                 } else {
-                                                                                    phi_2243_ = _e1819;
+                                                                                    phi_2293_ = _e1817;
                                                                                 }
-                                                                                let _e1825 = phi_2243_;
-                                                                                phi_2248_ = (_e1727 | ((_e1818 >> bitcast<u32>(5i)) << bitcast<u32>((_e1825 & 31u))));
+                                                                                let _e1823 = phi_2293_;
+                                                                                phi_2298_ = (_e1725 | ((_e1816 >> bitcast<u32>(5i)) << bitcast<u32>((_e1823 & 31u))));
                                                                             } else {
-                                                                                phi_2248_ = _e1727;
+                                                                                phi_2298_ = _e1725;
                                                                             }
-                                                                            let _e1833 = phi_2248_;
-                                                                            phi_2249_ = _e1833;
+                                                                            let _e1831 = phi_2298_;
+                                                                            phi_2299_ = _e1831;
                                                                         } else {
-                                                                            phi_2249_ = _e1727;
+                                                                            phi_2299_ = _e1725;
                                                                         }
-                                                                        let _e1835 = phi_2249_;
-                                                                        phi_2250_ = _e1835;
+                                                                        let _e1833 = phi_2299_;
+                                                                        phi_2300_ = _e1833;
                                                                     } else {
-                                                                        phi_2250_ = _e1727;
+                                                                        phi_2300_ = _e1725;
                                                                     }
-                                                                    let _e1837 = phi_2250_;
-                                                                    phi_2120_ = (_e1725 + 1u);
-                                                                    phi_2123_ = _e1837;
+                                                                    let _e1835 = phi_2300_;
+                                                                    phi_2170_ = (_e1723 + 1u);
+                                                                    phi_2173_ = _e1835;
                                                                 } else {
-                                                                    phi_2120_ = u32();
-                                                                    phi_2123_ = u32();
+                                                                    phi_2170_ = u32();
+                                                                    phi_2173_ = u32();
                                                                 }
-                                                                let _e1840 = phi_2120_;
-                                                                let _e1842 = phi_2123_;
+                                                                let _e1838 = phi_2170_;
+                                                                let _e1840 = phi_2173_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2119_ = _e1840;
-                                                                    phi_2122_ = _e1842;
-                                                                    break if !(_e1728);
+                                                                    phi_2169_ = _e1838;
+                                                                    phi_2172_ = _e1840;
+                                                                    break if !(_e1726);
                                                                 }
                                                             }
-                                                            let _e1846 = nodes.member[(0u + _e1458)].links[0u];
-                                                            let _e1850 = nodes.member[(0u + _e1458)].frame[3u];
-                                                            let _e1854 = local_7;
-                                                            if ((_e1854 & 4278190080u) == 0u) {
+                                                            let _e1844 = nodes.member[(0u + _e1456)].links[0u];
+                                                            let _e1848 = nodes.member[(0u + _e1456)].frame[3u];
+                                                            let _e1852 = local_6;
+                                                            if ((_e1852 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1858 = local_2.group_mask;
-                                                                if ((_e1858 & 4278190080u) == 0u) {
+                                                                let _e1856 = local_1.group_mask;
+                                                                if ((_e1856 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1862 = local_2.len;
-                                                                    if (_e1862 < 32u) {
-                                                                        let _e1865 = local_2.group;
-                                                                        let _e1867 = local_2.len;
-                                                                        if (_e1867 < 32u) {
+                                                                    let _e1860 = local_1.len;
+                                                                    if (_e1860 < 32u) {
+                                                                        let _e1863 = local_1.group;
+                                                                        let _e1865 = local_1.len;
+                                                                        if (_e1865 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.first[(0u + _e1867)] = _e1865;
-                                                                        let _e1873 = local_2.group_mask;
-                                                                        let _e1875 = local_2.len;
-                                                                        if (_e1875 < 32u) {
+                                                                        local_1.first[(0u + _e1865)] = _e1863;
+                                                                        let _e1871 = local_1.group_mask;
+                                                                        let _e1873 = local_1.len;
+                                                                        if (_e1873 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.mask[(0u + _e1875)] = _e1873;
-                                                                        let _e1882 = local_2.len;
-                                                                        local_2.len = (_e1882 + 1u);
+                                                                        local_1.mask[(0u + _e1873)] = _e1871;
+                                                                        let _e1880 = local_1.len;
+                                                                        local_1.len = (_e1880 + 1u);
                                                                     }
                                                                 }
-                                                                local_2.group = (_e1082 + _e1846);
-                                                                let _e1886 = local_8;
-                                                                local_2.group_mask = ((_e1886 & 4278190080u) | (_e1850 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1080 + _e1844);
+                                                                let _e1884 = local_7;
+                                                                local_1.group_mask = ((_e1884 & 4278190080u) | (_e1848 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1891 = local_9;
-                                                            phi_2308_ = (_e1891 & 16777215u);
+                                                            let _e1889 = local_8;
+                                                            phi_2358_ = (_e1889 & 16777215u);
                                                             loop {
-                                                                let _e1894 = phi_2308_;
-                                                                let _e1895 = (_e1894 == 0u);
-                                                                local_10 = _e1895;
-                                                                local_16 = _e1895;
-                                                                if _e1895 {
-                                                                    phi_2309_ = u32();
-                                                                    phi_2993_ = false;
-                                                                    phi_2994_ = false;
-                                                                    phi_2995_ = false;
+                                                                let _e1892 = phi_2358_;
+                                                                let _e1893 = (_e1892 == 0u);
+                                                                local_9 = _e1893;
+                                                                local_15 = _e1893;
+                                                                if _e1893 {
+                                                                    phi_2359_ = u32();
+                                                                    phi_3073_ = false;
+                                                                    phi_3074_ = false;
+                                                                    phi_3075_ = false;
                                                                 } else {
-                                                                    let _e1898 = nodes.member[(0u + _e1458)].links[1u];
-                                                                    let _e1903 = ((_e1084 + _e1898) + select(firstTrailingBit(_e1894), 32u, (_e1894 == 0u)));
-                                                                    if (_e1903 < _e75) {
+                                                                    let _e1896 = nodes.member[(0u + _e1456)].links[1u];
+                                                                    let _e1901 = ((_e1082 + _e1896) + select(firstTrailingBit(_e1892), 32u, (_e1892 == 0u)));
+                                                                    if (_e1901 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1910 = triangles.member[(0u + _e1903)].v0_;
-                                                                    let _e1912 = (_e1910.x - _e1010);
-                                                                    let _e1914 = (_e1910.y - _e1023);
-                                                                    let _e1916 = (_e1910.z - _e1036);
-                                                                    if (_e1293 == 0u) {
-                                                                        phi_2354_ = vec3<f32>(_e1914, _e1916, _e1912);
+                                                                    let _e1908 = triangles.member[(0u + _e1901)].v0_;
+                                                                    let _e1910 = (_e1908.x - _e1011);
+                                                                    let _e1912 = (_e1908.y - _e1024);
+                                                                    let _e1914 = (_e1908.z - _e1037);
+                                                                    if (_e1291 == 0u) {
+                                                                        phi_2404_ = vec3<f32>(_e1912, _e1914, _e1910);
                                                                     } else {
-                                                                        if (_e1293 == 1u) {
-                                                                            phi_2353_ = vec3<f32>(_e1916, _e1912, _e1914);
+                                                                        if (_e1291 == 1u) {
+                                                                            phi_2403_ = vec3<f32>(_e1914, _e1910, _e1912);
                                                                         } else {
-                                                                            phi_2353_ = (_e1910 - vec3<f32>(_e1010, _e1023, _e1036));
+                                                                            phi_2403_ = (_e1908 - vec3<f32>(_e1011, _e1024, _e1037));
                                                                         }
-                                                                        let _e1924 = phi_2353_;
-                                                                        phi_2354_ = _e1924;
+                                                                        let _e1922 = phi_2403_;
+                                                                        phi_2404_ = _e1922;
                                                                     }
-                                                                    let _e1926 = phi_2354_;
-                                                                    let _e1930 = (_e1926.x - (_e1304 * _e1926.z));
-                                                                    let _e1934 = (_e1926.y - (_e1307 * _e1926.z));
-                                                                    let _e1938 = triangles.member[(0u + _e1903)].v1_;
-                                                                    let _e1940 = (_e1938.x - _e1010);
-                                                                    let _e1942 = (_e1938.y - _e1023);
-                                                                    let _e1944 = (_e1938.z - _e1036);
-                                                                    if (_e1293 == 0u) {
-                                                                        phi_2386_ = vec3<f32>(_e1942, _e1944, _e1940);
+                                                                    let _e1924 = phi_2404_;
+                                                                    let _e1928 = (_e1924.x - (_e1302 * _e1924.z));
+                                                                    let _e1932 = (_e1924.y - (_e1305 * _e1924.z));
+                                                                    let _e1936 = triangles.member[(0u + _e1901)].v1_;
+                                                                    let _e1938 = (_e1936.x - _e1011);
+                                                                    let _e1940 = (_e1936.y - _e1024);
+                                                                    let _e1942 = (_e1936.z - _e1037);
+                                                                    if (_e1291 == 0u) {
+                                                                        phi_2436_ = vec3<f32>(_e1940, _e1942, _e1938);
                                                                     } else {
-                                                                        if (_e1293 == 1u) {
-                                                                            phi_2385_ = vec3<f32>(_e1944, _e1940, _e1942);
+                                                                        if (_e1291 == 1u) {
+                                                                            phi_2435_ = vec3<f32>(_e1942, _e1938, _e1940);
                                                                         } else {
-                                                                            phi_2385_ = (_e1938 - vec3<f32>(_e1010, _e1023, _e1036));
+                                                                            phi_2435_ = (_e1936 - vec3<f32>(_e1011, _e1024, _e1037));
                                                                         }
-                                                                        let _e1952 = phi_2385_;
-                                                                        phi_2386_ = _e1952;
+                                                                        let _e1950 = phi_2435_;
+                                                                        phi_2436_ = _e1950;
                                                                     }
-                                                                    let _e1954 = phi_2386_;
-                                                                    let _e1958 = (_e1954.x - (_e1304 * _e1954.z));
-                                                                    let _e1962 = (_e1954.y - (_e1307 * _e1954.z));
-                                                                    let _e1966 = triangles.member[(0u + _e1903)].v2_;
-                                                                    let _e1968 = (_e1966.x - _e1010);
-                                                                    let _e1970 = (_e1966.y - _e1023);
-                                                                    let _e1972 = (_e1966.z - _e1036);
-                                                                    if (_e1293 == 0u) {
-                                                                        phi_2418_ = vec3<f32>(_e1970, _e1972, _e1968);
+                                                                    let _e1952 = phi_2436_;
+                                                                    let _e1956 = (_e1952.x - (_e1302 * _e1952.z));
+                                                                    let _e1960 = (_e1952.y - (_e1305 * _e1952.z));
+                                                                    let _e1964 = triangles.member[(0u + _e1901)].v2_;
+                                                                    let _e1966 = (_e1964.x - _e1011);
+                                                                    let _e1968 = (_e1964.y - _e1024);
+                                                                    let _e1970 = (_e1964.z - _e1037);
+                                                                    if (_e1291 == 0u) {
+                                                                        phi_2468_ = vec3<f32>(_e1968, _e1970, _e1966);
                                                                     } else {
-                                                                        if (_e1293 == 1u) {
-                                                                            phi_2417_ = vec3<f32>(_e1972, _e1968, _e1970);
+                                                                        if (_e1291 == 1u) {
+                                                                            phi_2467_ = vec3<f32>(_e1970, _e1966, _e1968);
                                                                         } else {
-                                                                            phi_2417_ = (_e1966 - vec3<f32>(_e1010, _e1023, _e1036));
+                                                                            phi_2467_ = (_e1964 - vec3<f32>(_e1011, _e1024, _e1037));
                                                                         }
-                                                                        let _e1980 = phi_2417_;
-                                                                        phi_2418_ = _e1980;
+                                                                        let _e1978 = phi_2467_;
+                                                                        phi_2468_ = _e1978;
                                                                     }
-                                                                    let _e1982 = phi_2418_;
-                                                                    let _e1986 = (_e1982.x - (_e1304 * _e1982.z));
-                                                                    let _e1990 = (_e1982.y - (_e1307 * _e1982.z));
-                                                                    if (_e1958 < _e1986) {
-                                                                        phi_2439_ = true;
+                                                                    let _e1980 = phi_2468_;
+                                                                    let _e1984 = (_e1980.x - (_e1302 * _e1980.z));
+                                                                    let _e1988 = (_e1980.y - (_e1305 * _e1980.z));
+                                                                    if (_e1956 < _e1984) {
+                                                                        phi_2489_ = true;
                                                                     } else {
-                                                                        if (_e1958 == _e1986) {
-                                                                            phi_2438_ = (_e1962 < _e1990);
+                                                                        if (_e1956 == _e1984) {
+                                                                            phi_2488_ = (_e1960 < _e1988);
                                                                         } else {
-                                                                            phi_2438_ = false;
+                                                                            phi_2488_ = false;
                                                                         }
-                                                                        let _e1997 = phi_2438_;
-                                                                        phi_2439_ = _e1997;
+                                                                        let _e1995 = phi_2488_;
+                                                                        phi_2489_ = _e1995;
                                                                     }
-                                                                    let _e1999 = phi_2439_;
-                                                                    if _e1999 {
-                                                                        phi_2443_ = _e1990;
-                                                                        phi_2444_ = _e1986;
-                                                                        phi_2445_ = _e1962;
-                                                                        phi_2446_ = _e1958;
+                                                                    let _e1997 = phi_2489_;
+                                                                    if _e1997 {
+                                                                        phi_2493_ = _e1988;
+                                                                        phi_2494_ = _e1984;
+                                                                        phi_2495_ = _e1960;
+                                                                        phi_2496_ = _e1956;
                                                                     } else {
-                                                                        phi_2443_ = _e1962;
-                                                                        phi_2444_ = _e1958;
-                                                                        phi_2445_ = _e1990;
-                                                                        phi_2446_ = _e1986;
+                                                                        phi_2493_ = _e1960;
+                                                                        phi_2494_ = _e1956;
+                                                                        phi_2495_ = _e1988;
+                                                                        phi_2496_ = _e1984;
                                                                     }
-                                                                    let _e2001 = phi_2443_;
-                                                                    let _e2003 = phi_2444_;
-                                                                    let _e2005 = phi_2445_;
-                                                                    let _e2007 = phi_2446_;
-                                                                    let _e2010 = ((_e2007 * _e2001) - (_e2005 * _e2003));
-                                                                    if _e1999 {
-                                                                        phi_2454_ = -(_e2010);
+                                                                    let _e1999 = phi_2493_;
+                                                                    let _e2001 = phi_2494_;
+                                                                    let _e2003 = phi_2495_;
+                                                                    let _e2005 = phi_2496_;
+                                                                    let _e2008 = ((_e2005 * _e1999) - (_e2003 * _e2001));
+                                                                    if _e1997 {
+                                                                        phi_2504_ = -(_e2008);
                                                                     } else {
-                                                                        phi_2454_ = _e2010;
+                                                                        phi_2504_ = _e2008;
                                                                     }
-                                                                    let _e2013 = phi_2454_;
-                                                                    if (_e1986 < _e1930) {
-                                                                        phi_2465_ = true;
+                                                                    let _e2011 = phi_2504_;
+                                                                    if (_e1984 < _e1928) {
+                                                                        phi_2515_ = true;
                                                                     } else {
-                                                                        if (_e1986 == _e1930) {
-                                                                            phi_2464_ = (_e1990 < _e1934);
+                                                                        if (_e1984 == _e1928) {
+                                                                            phi_2514_ = (_e1988 < _e1932);
                                                                         } else {
-                                                                            phi_2464_ = false;
+                                                                            phi_2514_ = false;
                                                                         }
-                                                                        let _e2018 = phi_2464_;
-                                                                        phi_2465_ = _e2018;
+                                                                        let _e2016 = phi_2514_;
+                                                                        phi_2515_ = _e2016;
                                                                     }
-                                                                    let _e2020 = phi_2465_;
-                                                                    if _e2020 {
-                                                                        phi_2469_ = _e1934;
-                                                                        phi_2470_ = _e1930;
-                                                                        phi_2471_ = _e1990;
-                                                                        phi_2472_ = _e1986;
+                                                                    let _e2018 = phi_2515_;
+                                                                    if _e2018 {
+                                                                        phi_2519_ = _e1932;
+                                                                        phi_2520_ = _e1928;
+                                                                        phi_2521_ = _e1988;
+                                                                        phi_2522_ = _e1984;
                                                                     } else {
-                                                                        phi_2469_ = _e1990;
-                                                                        phi_2470_ = _e1986;
-                                                                        phi_2471_ = _e1934;
-                                                                        phi_2472_ = _e1930;
+                                                                        phi_2519_ = _e1988;
+                                                                        phi_2520_ = _e1984;
+                                                                        phi_2521_ = _e1932;
+                                                                        phi_2522_ = _e1928;
                                                                     }
-                                                                    let _e2022 = phi_2469_;
-                                                                    let _e2024 = phi_2470_;
-                                                                    let _e2026 = phi_2471_;
-                                                                    let _e2028 = phi_2472_;
-                                                                    let _e2031 = ((_e2028 * _e2022) - (_e2026 * _e2024));
-                                                                    if _e2020 {
-                                                                        phi_2480_ = -(_e2031);
+                                                                    let _e2020 = phi_2519_;
+                                                                    let _e2022 = phi_2520_;
+                                                                    let _e2024 = phi_2521_;
+                                                                    let _e2026 = phi_2522_;
+                                                                    let _e2029 = ((_e2026 * _e2020) - (_e2024 * _e2022));
+                                                                    if _e2018 {
+                                                                        phi_2530_ = -(_e2029);
                                                                     } else {
-                                                                        phi_2480_ = _e2031;
+                                                                        phi_2530_ = _e2029;
                                                                     }
-                                                                    let _e2034 = phi_2480_;
-                                                                    if (_e1930 < _e1958) {
-                                                                        phi_2491_ = true;
+                                                                    let _e2032 = phi_2530_;
+                                                                    if (_e1928 < _e1956) {
+                                                                        phi_2541_ = true;
                                                                     } else {
-                                                                        if (_e1930 == _e1958) {
-                                                                            phi_2490_ = (_e1934 < _e1962);
+                                                                        if (_e1928 == _e1956) {
+                                                                            phi_2540_ = (_e1932 < _e1960);
                                                                         } else {
-                                                                            phi_2490_ = false;
+                                                                            phi_2540_ = false;
                                                                         }
-                                                                        let _e2039 = phi_2490_;
-                                                                        phi_2491_ = _e2039;
+                                                                        let _e2037 = phi_2540_;
+                                                                        phi_2541_ = _e2037;
                                                                     }
-                                                                    let _e2041 = phi_2491_;
-                                                                    if _e2041 {
-                                                                        phi_2495_ = _e1962;
-                                                                        phi_2496_ = _e1958;
-                                                                        phi_2497_ = _e1934;
-                                                                        phi_2498_ = _e1930;
+                                                                    let _e2039 = phi_2541_;
+                                                                    if _e2039 {
+                                                                        phi_2545_ = _e1960;
+                                                                        phi_2546_ = _e1956;
+                                                                        phi_2547_ = _e1932;
+                                                                        phi_2548_ = _e1928;
                                                                     } else {
-                                                                        phi_2495_ = _e1934;
-                                                                        phi_2496_ = _e1930;
-                                                                        phi_2497_ = _e1962;
-                                                                        phi_2498_ = _e1958;
+                                                                        phi_2545_ = _e1932;
+                                                                        phi_2546_ = _e1928;
+                                                                        phi_2547_ = _e1960;
+                                                                        phi_2548_ = _e1956;
                                                                     }
-                                                                    let _e2043 = phi_2495_;
-                                                                    let _e2045 = phi_2496_;
-                                                                    let _e2047 = phi_2497_;
-                                                                    let _e2049 = phi_2498_;
-                                                                    let _e2052 = ((_e2049 * _e2043) - (_e2047 * _e2045));
-                                                                    if _e2041 {
-                                                                        phi_2506_ = -(_e2052);
+                                                                    let _e2041 = phi_2545_;
+                                                                    let _e2043 = phi_2546_;
+                                                                    let _e2045 = phi_2547_;
+                                                                    let _e2047 = phi_2548_;
+                                                                    let _e2050 = ((_e2047 * _e2041) - (_e2045 * _e2043));
+                                                                    if _e2039 {
+                                                                        phi_2556_ = -(_e2050);
                                                                     } else {
-                                                                        phi_2506_ = _e2052;
+                                                                        phi_2556_ = _e2050;
                                                                     }
-                                                                    let _e2055 = phi_2506_;
-                                                                    if (_e2013 >= 0f) {
-                                                                        if (_e2034 >= 0f) {
-                                                                            if (_e2055 >= 0f) {
-                                                                                phi_2521_ = ((_e2013 + _e2034) + _e2055);
-                                                                                phi_2522_ = false;
+                                                                    let _e2053 = phi_2556_;
+                                                                    if (_e2011 >= 0f) {
+                                                                        if (_e2032 >= 0f) {
+                                                                            if (_e2053 >= 0f) {
+                                                                                phi_2571_ = ((_e2011 + _e2032) + _e2053);
+                                                                                phi_2572_ = false;
                                                                             } else {
-                                                                                phi_2521_ = f32();
-                                                                                phi_2522_ = true;
+                                                                                phi_2571_ = f32();
+                                                                                phi_2572_ = true;
                                                                             }
-                                                                            let _e2062 = phi_2521_;
-                                                                            let _e2064 = phi_2522_;
-                                                                            phi_2523_ = _e2062;
-                                                                            phi_2524_ = _e2064;
+                                                                            let _e2060 = phi_2571_;
+                                                                            let _e2062 = phi_2572_;
+                                                                            phi_2573_ = _e2060;
+                                                                            phi_2574_ = _e2062;
                                                                         } else {
-                                                                            phi_2523_ = f32();
-                                                                            phi_2524_ = true;
+                                                                            phi_2573_ = f32();
+                                                                            phi_2574_ = true;
                                                                         }
-                                                                        let _e2066 = phi_2523_;
-                                                                        let _e2068 = phi_2524_;
-                                                                        phi_2525_ = _e2066;
-                                                                        phi_2526_ = _e2068;
+                                                                        let _e2064 = phi_2573_;
+                                                                        let _e2066 = phi_2574_;
+                                                                        phi_2575_ = _e2064;
+                                                                        phi_2576_ = _e2066;
                                                                     } else {
-                                                                        phi_2525_ = f32();
-                                                                        phi_2526_ = true;
+                                                                        phi_2575_ = f32();
+                                                                        phi_2576_ = true;
                                                                     }
-                                                                    let _e2070 = phi_2525_;
-                                                                    let _e2072 = phi_2526_;
-                                                                    if _e2072 {
-                                                                        if (_e2013 <= 0f) {
-                                                                            if (_e2034 <= 0f) {
-                                                                                let _e2075 = (_e2055 <= 0f);
-                                                                                if _e2075 {
+                                                                    let _e2068 = phi_2575_;
+                                                                    let _e2070 = phi_2576_;
+                                                                    if _e2070 {
+                                                                        if (_e2011 <= 0f) {
+                                                                            if (_e2032 <= 0f) {
+                                                                                let _e2073 = (_e2053 <= 0f);
+                                                                                if _e2073 {
                                                                                 }
-                                                                                phi_2544_ = ((_e2013 + _e2034) + _e2055);
-                                                                                phi_2545_ = false;
-                                                                                phi_2546_ = _e2075;
+                                                                                phi_2594_ = ((_e2011 + _e2032) + _e2053);
+                                                                                phi_2595_ = false;
+                                                                                phi_2596_ = _e2073;
                                                                             } else {
-                                                                                phi_2544_ = f32();
-                                                                                phi_2545_ = true;
-                                                                                phi_2546_ = false;
+                                                                                phi_2594_ = f32();
+                                                                                phi_2595_ = true;
+                                                                                phi_2596_ = false;
                                                                             }
-                                                                            let _e2079 = phi_2544_;
-                                                                            let _e2081 = phi_2545_;
-                                                                            let _e2083 = phi_2546_;
-                                                                            phi_2547_ = _e2079;
-                                                                            phi_2548_ = _e2081;
-                                                                            phi_2549_ = _e2083;
+                                                                            let _e2077 = phi_2594_;
+                                                                            let _e2079 = phi_2595_;
+                                                                            let _e2081 = phi_2596_;
+                                                                            phi_2597_ = _e2077;
+                                                                            phi_2598_ = _e2079;
+                                                                            phi_2599_ = _e2081;
                                                                         } else {
-                                                                            phi_2547_ = f32();
-                                                                            phi_2548_ = true;
-                                                                            phi_2549_ = false;
+                                                                            phi_2597_ = f32();
+                                                                            phi_2598_ = true;
+                                                                            phi_2599_ = false;
                                                                         }
-                                                                        let _e2085 = phi_2547_;
-                                                                        let _e2087 = phi_2548_;
-                                                                        let _e2089 = phi_2549_;
-                                                                        if _e2087 {
-                                                                            phi_2553_ = false;
+                                                                        let _e2083 = phi_2597_;
+                                                                        let _e2085 = phi_2598_;
+                                                                        let _e2087 = phi_2599_;
+                                                                        if _e2085 {
+                                                                            phi_2603_ = false;
                                                                         } else {
-                                                                            phi_2553_ = _e2089;
+                                                                            phi_2603_ = _e2087;
                                                                         }
-                                                                        let _e2091 = phi_2553_;
-                                                                        phi_2554_ = _e2085;
-                                                                        phi_2555_ = _e2091;
+                                                                        let _e2089 = phi_2603_;
+                                                                        phi_2604_ = _e2083;
+                                                                        phi_2605_ = _e2089;
                                                                     } else {
-                                                                        phi_2554_ = _e2070;
-                                                                        phi_2555_ = true;
+                                                                        phi_2604_ = _e2068;
+                                                                        phi_2605_ = true;
                                                                     }
-                                                                    let _e2093 = phi_2554_;
-                                                                    let _e2095 = phi_2555_;
-                                                                    if _e2095 {
-                                                                        let _e2096 = (_e2093 == 0f);
-                                                                        if _e2096 {
-                                                                            phi_2753_ = lt_bvh_triangle_Intersection();
+                                                                    let _e2091 = phi_2604_;
+                                                                    let _e2093 = phi_2605_;
+                                                                    if _e2093 {
+                                                                        let _e2094 = (_e2091 == 0f);
+                                                                        if _e2094 {
+                                                                            phi_2818_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2819_ = false;
                                                                         } else {
-                                                                            let _e2102 = ((((_e2013 * (_e1309 * _e1926.z)) + (_e2034 * (_e1309 * _e1954.z))) + (_e2055 * (_e1309 * _e1982.z))) / _e2093);
-                                                                            let _e2104 = triangles.member[(0u + _e1903)].v0_;
-                                                                            let _e2106 = triangles.member[(0u + _e1903)].v1_;
-                                                                            if (_e2104.x < _e2106.x) {
-                                                                                phi_2581_ = _e2104.x;
-                                                                            } else {
-                                                                                phi_2581_ = _e2106.x;
-                                                                            }
-                                                                            let _e2113 = phi_2581_;
-                                                                            if (_e2104.y < _e2106.y) {
-                                                                                phi_2590_ = _e2104.y;
-                                                                            } else {
-                                                                                phi_2590_ = _e2106.y;
-                                                                            }
-                                                                            let _e2120 = phi_2590_;
-                                                                            if (_e2104.z < _e2106.z) {
-                                                                                phi_2599_ = _e2104.z;
-                                                                            } else {
-                                                                                phi_2599_ = _e2106.z;
-                                                                            }
-                                                                            let _e2127 = phi_2599_;
-                                                                            let _e2129 = triangles.member[(0u + _e1903)].v2_;
-                                                                            if (_e2113 < _e2129.x) {
-                                                                                phi_2608_ = _e2113;
-                                                                            } else {
-                                                                                phi_2608_ = _e2129.x;
-                                                                            }
-                                                                            let _e2134 = phi_2608_;
-                                                                            if (_e2120 < _e2129.y) {
-                                                                                phi_2615_ = _e2120;
-                                                                            } else {
-                                                                                phi_2615_ = _e2129.y;
-                                                                            }
-                                                                            let _e2139 = phi_2615_;
-                                                                            if (_e2127 < _e2129.z) {
-                                                                                phi_2622_ = _e2127;
-                                                                            } else {
-                                                                                phi_2622_ = _e2129.z;
-                                                                            }
-                                                                            let _e2144 = phi_2622_;
-                                                                            let _e2146 = triangles.member[(0u + _e1903)].v0_;
-                                                                            let _e2148 = triangles.member[(0u + _e1903)].v1_;
-                                                                            if (_e2146.x > _e2148.x) {
-                                                                                phi_2635_ = _e2146.x;
-                                                                            } else {
-                                                                                phi_2635_ = _e2148.x;
-                                                                            }
-                                                                            let _e2155 = phi_2635_;
-                                                                            if (_e2146.y > _e2148.y) {
-                                                                                phi_2644_ = _e2146.y;
-                                                                            } else {
-                                                                                phi_2644_ = _e2148.y;
-                                                                            }
-                                                                            let _e2162 = phi_2644_;
-                                                                            if (_e2146.z > _e2148.z) {
-                                                                                phi_2653_ = _e2146.z;
-                                                                            } else {
-                                                                                phi_2653_ = _e2148.z;
-                                                                            }
-                                                                            let _e2169 = phi_2653_;
-                                                                            let _e2171 = triangles.member[(0u + _e1903)].v2_;
-                                                                            if (_e2155 > _e2171.x) {
-                                                                                phi_2662_ = _e2155;
-                                                                            } else {
-                                                                                phi_2662_ = _e2171.x;
-                                                                            }
-                                                                            let _e2176 = phi_2662_;
-                                                                            if (_e2162 > _e2171.y) {
-                                                                                phi_2669_ = _e2162;
-                                                                            } else {
-                                                                                phi_2669_ = _e2171.y;
-                                                                            }
-                                                                            let _e2181 = phi_2669_;
-                                                                            if (_e2169 > _e2171.z) {
-                                                                                phi_2676_ = _e2169;
-                                                                            } else {
-                                                                                phi_2676_ = _e2171.z;
-                                                                            }
-                                                                            let _e2186 = phi_2676_;
-                                                                            let _e2190 = ((_e2134 - _e1010) * _e1222);
-                                                                            let _e2191 = ((_e2139 - _e1023) * _e1232);
-                                                                            let _e2192 = ((_e2144 - _e1036) * _e1242);
-                                                                            let _e2196 = ((_e2176 - _e1010) * _e1222);
-                                                                            let _e2197 = ((_e2181 - _e1023) * _e1232);
-                                                                            let _e2198 = ((_e2186 - _e1036) * _e1242);
-                                                                            if (_e2190 < _e2196) {
-                                                                                phi_2693_ = _e2190;
-                                                                            } else {
-                                                                                phi_2693_ = _e2196;
-                                                                            }
-                                                                            let _e2201 = phi_2693_;
-                                                                            if (_e2191 < _e2197) {
-                                                                                phi_2698_ = _e2191;
-                                                                            } else {
-                                                                                phi_2698_ = _e2197;
-                                                                            }
-                                                                            let _e2204 = phi_2698_;
-                                                                            if (_e2192 < _e2198) {
-                                                                                phi_2703_ = _e2192;
-                                                                            } else {
-                                                                                phi_2703_ = _e2198;
-                                                                            }
-                                                                            let _e2207 = phi_2703_;
-                                                                            if (_e2190 > _e2196) {
-                                                                                phi_2711_ = _e2190;
-                                                                            } else {
-                                                                                phi_2711_ = _e2196;
-                                                                            }
-                                                                            let _e2213 = phi_2711_;
-                                                                            if (_e2191 > _e2197) {
-                                                                                phi_2716_ = _e2191;
-                                                                            } else {
-                                                                                phi_2716_ = _e2197;
-                                                                            }
-                                                                            let _e2216 = phi_2716_;
-                                                                            if (_e2192 > _e2198) {
-                                                                                phi_2721_ = _e2192;
-                                                                            } else {
-                                                                                phi_2721_ = _e2198;
-                                                                            }
-                                                                            let _e2219 = phi_2721_;
-                                                                            let _e2223 = core_intrinsics_maximum_number_nsz_f32_((_e2201 - _e1277), (_e2204 - _e1278));
-                                                                            let _e2224 = core_intrinsics_maximum_number_nsz_f32_(_e2223, (_e2207 - _e1279));
-                                                                            let _e2225 = core_intrinsics_minimum_number_nsz_f32_((_e2213 + _e1277), (_e2216 + _e1278));
-                                                                            let _e2226 = core_intrinsics_minimum_number_nsz_f32_(_e2225, (_e2219 + _e1279));
-                                                                            if (_e2224 > _e991) {
-                                                                                phi_2733_ = _e2224;
-                                                                            } else {
-                                                                                phi_2733_ = _e991;
-                                                                            }
-                                                                            let _e2229 = phi_2733_;
-                                                                            if (_e2226 < _e993) {
-                                                                                phi_2738_ = _e2226;
-                                                                            } else {
-                                                                                phi_2738_ = _e993;
-                                                                            }
-                                                                            let _e2232 = phi_2738_;
-                                                                            if (_e2102 < _e2229) {
-                                                                                phi_2743_ = _e2229;
-                                                                            } else {
-                                                                                phi_2743_ = _e2102;
-                                                                            }
-                                                                            let _e2235 = phi_2743_;
-                                                                            if (_e2235 > _e2232) {
-                                                                                phi_2748_ = _e2232;
-                                                                            } else {
-                                                                                phi_2748_ = _e2235;
-                                                                            }
-                                                                            let _e2238 = phi_2748_;
-                                                                            phi_2753_ = lt_bvh_triangle_Intersection(_e2238, (_e2034 / _e2093), (_e2055 / _e2093), (_e2229 <= _e2232));
-                                                                        }
-                                                                        let _e2244 = phi_2753_;
-                                                                        phi_2754_ = _e2244;
-                                                                        phi_2755_ = _e2096;
-                                                                    } else {
-                                                                        phi_2754_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2755_ = true;
-                                                                    }
-                                                                    let _e2246 = phi_2754_;
-                                                                    let _e2248 = phi_2755_;
-                                                                    if _e2248 {
-                                                                        phi_2759_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                                                    } else {
-                                                                        phi_2759_ = _e2246;
-                                                                    }
-                                                                    let _e2250 = phi_2759_;
-                                                                    if _e2250.is_hit {
-                                                                        if (_e2250.t > 0f) {
-                                                                            if (_e2250.t < _e136) {
-                                                                                let _e2257 = triangles.member[(0u + _e1903)].i0_;
-                                                                                let _e2259 = ((_e2257 & 2147483648u) == 0u);
-                                                                                if _e2259 {
-                                                                                    phi_2977_ = false;
-                                                                                    phi_2978_ = false;
+                                                                            let _e2100 = ((((_e2011 * (_e1307 * _e1924.z)) + (_e2032 * (_e1307 * _e1952.z))) + (_e2053 * (_e1307 * _e1980.z))) / _e2091);
+                                                                            if (_e2100 > 0f) {
+                                                                                if (_e2100 < _e141) {
+                                                                                    let _e2104 = triangles.member[(0u + _e1901)].v0_;
+                                                                                    let _e2106 = triangles.member[(0u + _e1901)].v1_;
+                                                                                    if (_e2104.x < _e2106.x) {
+                                                                                        phi_2639_ = _e2104.x;
+                                                                                    } else {
+                                                                                        phi_2639_ = _e2106.x;
+                                                                                    }
+                                                                                    let _e2113 = phi_2639_;
+                                                                                    if (_e2104.y < _e2106.y) {
+                                                                                        phi_2648_ = _e2104.y;
+                                                                                    } else {
+                                                                                        phi_2648_ = _e2106.y;
+                                                                                    }
+                                                                                    let _e2120 = phi_2648_;
+                                                                                    if (_e2104.z < _e2106.z) {
+                                                                                        phi_2657_ = _e2104.z;
+                                                                                    } else {
+                                                                                        phi_2657_ = _e2106.z;
+                                                                                    }
+                                                                                    let _e2127 = phi_2657_;
+                                                                                    let _e2129 = triangles.member[(0u + _e1901)].v2_;
+                                                                                    if (_e2113 < _e2129.x) {
+                                                                                        phi_2666_ = _e2113;
+                                                                                    } else {
+                                                                                        phi_2666_ = _e2129.x;
+                                                                                    }
+                                                                                    let _e2134 = phi_2666_;
+                                                                                    if (_e2120 < _e2129.y) {
+                                                                                        phi_2673_ = _e2120;
+                                                                                    } else {
+                                                                                        phi_2673_ = _e2129.y;
+                                                                                    }
+                                                                                    let _e2139 = phi_2673_;
+                                                                                    if (_e2127 < _e2129.z) {
+                                                                                        phi_2680_ = _e2127;
+                                                                                    } else {
+                                                                                        phi_2680_ = _e2129.z;
+                                                                                    }
+                                                                                    let _e2144 = phi_2680_;
+                                                                                    let _e2146 = triangles.member[(0u + _e1901)].v0_;
+                                                                                    let _e2148 = triangles.member[(0u + _e1901)].v1_;
+                                                                                    if (_e2146.x > _e2148.x) {
+                                                                                        phi_2693_ = _e2146.x;
+                                                                                    } else {
+                                                                                        phi_2693_ = _e2148.x;
+                                                                                    }
+                                                                                    let _e2155 = phi_2693_;
+                                                                                    if (_e2146.y > _e2148.y) {
+                                                                                        phi_2702_ = _e2146.y;
+                                                                                    } else {
+                                                                                        phi_2702_ = _e2148.y;
+                                                                                    }
+                                                                                    let _e2162 = phi_2702_;
+                                                                                    if (_e2146.z > _e2148.z) {
+                                                                                        phi_2711_ = _e2146.z;
+                                                                                    } else {
+                                                                                        phi_2711_ = _e2148.z;
+                                                                                    }
+                                                                                    let _e2169 = phi_2711_;
+                                                                                    let _e2171 = triangles.member[(0u + _e1901)].v2_;
+                                                                                    if (_e2155 > _e2171.x) {
+                                                                                        phi_2720_ = _e2155;
+                                                                                    } else {
+                                                                                        phi_2720_ = _e2171.x;
+                                                                                    }
+                                                                                    let _e2176 = phi_2720_;
+                                                                                    if (_e2162 > _e2171.y) {
+                                                                                        phi_2727_ = _e2162;
+                                                                                    } else {
+                                                                                        phi_2727_ = _e2171.y;
+                                                                                    }
+                                                                                    let _e2181 = phi_2727_;
+                                                                                    if (_e2169 > _e2171.z) {
+                                                                                        phi_2734_ = _e2169;
+                                                                                    } else {
+                                                                                        phi_2734_ = _e2171.z;
+                                                                                    }
+                                                                                    let _e2186 = phi_2734_;
+                                                                                    let _e2190 = ((_e2134 - _e1011) * _e1220);
+                                                                                    let _e2191 = ((_e2139 - _e1024) * _e1230);
+                                                                                    let _e2192 = ((_e2144 - _e1037) * _e1240);
+                                                                                    let _e2196 = ((_e2176 - _e1011) * _e1220);
+                                                                                    let _e2197 = ((_e2181 - _e1024) * _e1230);
+                                                                                    let _e2198 = ((_e2186 - _e1037) * _e1240);
+                                                                                    if (_e2190 < _e2196) {
+                                                                                        phi_2751_ = _e2190;
+                                                                                    } else {
+                                                                                        phi_2751_ = _e2196;
+                                                                                    }
+                                                                                    let _e2201 = phi_2751_;
+                                                                                    if (_e2191 < _e2197) {
+                                                                                        phi_2756_ = _e2191;
+                                                                                    } else {
+                                                                                        phi_2756_ = _e2197;
+                                                                                    }
+                                                                                    let _e2204 = phi_2756_;
+                                                                                    if (_e2192 < _e2198) {
+                                                                                        phi_2761_ = _e2192;
+                                                                                    } else {
+                                                                                        phi_2761_ = _e2198;
+                                                                                    }
+                                                                                    let _e2207 = phi_2761_;
+                                                                                    if (_e2190 > _e2196) {
+                                                                                        phi_2769_ = _e2190;
+                                                                                    } else {
+                                                                                        phi_2769_ = _e2196;
+                                                                                    }
+                                                                                    let _e2213 = phi_2769_;
+                                                                                    if (_e2191 > _e2197) {
+                                                                                        phi_2774_ = _e2191;
+                                                                                    } else {
+                                                                                        phi_2774_ = _e2197;
+                                                                                    }
+                                                                                    let _e2216 = phi_2774_;
+                                                                                    if (_e2192 > _e2198) {
+                                                                                        phi_2779_ = _e2192;
+                                                                                    } else {
+                                                                                        phi_2779_ = _e2198;
+                                                                                    }
+                                                                                    let _e2219 = phi_2779_;
+                                                                                    let _e2223 = core_intrinsics_maximum_number_nsz_f32_((_e2201 - _e1275), (_e2204 - _e1276));
+                                                                                    let _e2224 = core_intrinsics_maximum_number_nsz_f32_(_e2223, (_e2207 - _e1277));
+                                                                                    let _e2225 = core_intrinsics_minimum_number_nsz_f32_((_e2213 + _e1275), (_e2216 + _e1276));
+                                                                                    let _e2226 = core_intrinsics_minimum_number_nsz_f32_(_e2225, (_e2219 + _e1277));
+                                                                                    if (_e2224 > _e992) {
+                                                                                        phi_2791_ = _e2224;
+                                                                                    } else {
+                                                                                        phi_2791_ = _e992;
+                                                                                    }
+                                                                                    let _e2229 = phi_2791_;
+                                                                                    if (_e2226 < _e994) {
+                                                                                        phi_2796_ = _e2226;
+                                                                                    } else {
+                                                                                        phi_2796_ = _e994;
+                                                                                    }
+                                                                                    let _e2232 = phi_2796_;
+                                                                                    if (_e2100 < _e2229) {
+                                                                                        phi_2801_ = _e2229;
+                                                                                    } else {
+                                                                                        phi_2801_ = _e2100;
+                                                                                    }
+                                                                                    let _e2235 = phi_2801_;
+                                                                                    if (_e2235 > _e2232) {
+                                                                                        phi_2806_ = _e2232;
+                                                                                    } else {
+                                                                                        phi_2806_ = _e2235;
+                                                                                    }
+                                                                                    let _e2238 = phi_2806_;
+                                                                                    phi_2811_ = lt_bvh_triangle_Intersection(_e2238, (_e2032 / _e2091), (_e2053 / _e2091), (_e2229 <= _e2232));
+                                                                                    phi_2812_ = false;
                                                                                 } else {
-                                                                                    if (_e1903 < _e75) {
-                                                                                    } else {
-                                                                                        return;
-                                                                                    }
-                                                                                    let _e2266 = triangles.member[(0u + _e1903)].i0_;
-                                                                                    let _e2267 = (_e2266 & 2147483647u);
-                                                                                    let _e2269 = triangles.member[(0u + _e1903)].i1_;
-                                                                                    let _e2271 = triangles.member[(0u + _e1903)].i2_;
-                                                                                    if (_e2267 < _e87) {
-                                                                                    } else {
-                                                                                        return;
-                                                                                    }
-                                                                                    let _e2275 = vertices.member[(0u + _e2267)];
-                                                                                    if (_e2269 < _e87) {
-                                                                                    } else {
-                                                                                        return;
-                                                                                    }
-                                                                                    let _e2279 = vertices.member[(0u + _e2269)];
-                                                                                    if (_e2271 < _e87) {
-                                                                                    } else {
-                                                                                        return;
-                                                                                    }
-                                                                                    let _e2283 = vertices.member[(0u + _e2271)];
-                                                                                    let _e2284 = array<abi_Vertex, 3>(_e2275, _e2279, _e2283);
-                                                                                    local_1 = array<abi_Vertex, 3>(abi_Vertex(_e2284[0].u, _e2284[0].v, _e2284[0].normal, _e2284[0].color, _e2284[0].material), abi_Vertex(_e2284[1].u, _e2284[1].v, _e2284[1].normal, _e2284[1].color, _e2284[1].material), abi_Vertex(_e2284[2].u, _e2284[2].v, _e2284[2].normal, _e2284[2].color, _e2284[2].material));
-                                                                                    let _e2309 = local_1[0u].material;
-                                                                                    if (_e2309 < arrayLength((&materials.member))) {
-                                                                                    } else {
-                                                                                        return;
-                                                                                    }
-                                                                                    let _e2313 = materials.member[(0u + _e2309)];
-                                                                                    if ((_e2313.flags & 1u) == 1u) {
-                                                                                        let _e2317 = lt_shaders_surface_barycentric_weights(_e2250.u, _e2250.v);
-                                                                                        if (_e2313.cutoff <= 0f) {
-                                                                                            phi_2971_ = true;
-                                                                                        } else {
-                                                                                            let _e2322 = lt_shaders_surface_vertex_color((&local_1), _e2317);
-                                                                                            let _e2324 = (_e2313.base_color.w * _e2322.w);
-                                                                                            if (_e2313.alpha_size == 0u) {
-                                                                                                phi_2968_ = _e2324;
-                                                                                            } else {
-                                                                                                local.offset = _e2313.alpha_offset;
-                                                                                                local.size = _e2313.alpha_size;
-                                                                                                local.flags = _e2313.flags;
-                                                                                                let _e2333 = lt_shaders_surface_texture_coordinate((&local_1), _e2317);
-                                                                                                let _e2336 = _lt_shaders_texture_TextureView_quad((&local), _e2333.x, _e2333.y);
-                                                                                                let _e2340 = (_e2336.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2340 < _e93) {
-                                                                                                } else {
-                                                                                                    return;
-                                                                                                }
-                                                                                                let _e2344 = alpha_texels.member[(0u + _e2340)];
-                                                                                                let _e2360 = (_e2336.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2360 < _e93) {
-                                                                                                } else {
-                                                                                                    return;
-                                                                                                }
-                                                                                                let _e2364 = alpha_texels.member[(0u + _e2360)];
-                                                                                                let _e2381 = (_e2336.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2381 < _e93) {
-                                                                                                } else {
-                                                                                                    return;
-                                                                                                }
-                                                                                                let _e2385 = alpha_texels.member[(0u + _e2381)];
-                                                                                                let _e2402 = (_e2336.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2402 < _e93) {
-                                                                                                } else {
-                                                                                                    return;
-                                                                                                }
-                                                                                                let _e2406 = alpha_texels.member[(0u + _e2402)];
-                                                                                                phi_2968_ = (_e2324 * (((((f32(((_e2344 >> bitcast<u32>((((_e2336.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.x) + ((f32(((_e2364 >> bitcast<u32>((((_e2336.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.y)) + ((f32(((_e2385 >> bitcast<u32>((((_e2336.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.z)) + ((f32(((_e2406 >> bitcast<u32>((((_e2336.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2336.weights.w)));
-                                                                                            }
-                                                                                            let _e2422 = phi_2968_;
-                                                                                            phi_2971_ = (_e2422 >= _e2313.cutoff);
-                                                                                        }
-                                                                                        let _e2426 = phi_2971_;
-                                                                                        phi_2972_ = _e2426;
-                                                                                    } else {
-                                                                                        phi_2972_ = false;
-                                                                                    }
-                                                                                    let _e2428 = phi_2972_;
-                                                                                    if _e2428 {
-                                                                                        phi_2976_ = false;
-                                                                                    } else {
-                                                                                        phi_2976_ = true;
-                                                                                    }
-                                                                                    let _e2430 = phi_2976_;
-                                                                                    phi_2977_ = _e2430;
-                                                                                    phi_2978_ = _e2428;
+                                                                                    phi_2811_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2812_ = true;
                                                                                 }
-                                                                                let _e2432 = phi_2977_;
-                                                                                let _e2434 = phi_2978_;
-                                                                                phi_2979_ = _e2432;
-                                                                                phi_2980_ = _e2259;
-                                                                                phi_2981_ = _e2434;
+                                                                                let _e2244 = phi_2811_;
+                                                                                let _e2246 = phi_2812_;
+                                                                                phi_2813_ = _e2244;
+                                                                                phi_2814_ = _e2246;
                                                                             } else {
-                                                                                phi_2979_ = true;
-                                                                                phi_2980_ = false;
-                                                                                phi_2981_ = false;
+                                                                                phi_2813_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2814_ = true;
                                                                             }
-                                                                            let _e2436 = phi_2979_;
-                                                                            let _e2438 = phi_2980_;
-                                                                            let _e2440 = phi_2981_;
-                                                                            phi_2982_ = _e2436;
-                                                                            phi_2983_ = _e2438;
-                                                                            phi_2984_ = _e2440;
-                                                                        } else {
-                                                                            phi_2982_ = true;
-                                                                            phi_2983_ = false;
-                                                                            phi_2984_ = false;
+                                                                            let _e2248 = phi_2813_;
+                                                                            let _e2250 = phi_2814_;
+                                                                            if _e2250 {
+                                                                            }
+                                                                            phi_2818_ = _e2248;
+                                                                            phi_2819_ = _e2250;
                                                                         }
-                                                                        let _e2442 = phi_2982_;
-                                                                        let _e2444 = phi_2983_;
-                                                                        let _e2446 = phi_2984_;
-                                                                        phi_2985_ = _e2442;
-                                                                        phi_2986_ = _e2444;
-                                                                        phi_2987_ = _e2446;
+                                                                        let _e2252 = phi_2818_;
+                                                                        let _e2254 = phi_2819_;
+                                                                        phi_2820_ = _e2252;
+                                                                        phi_2821_ = _e2094;
+                                                                        phi_2822_ = _e2254;
                                                                     } else {
-                                                                        phi_2985_ = true;
-                                                                        phi_2986_ = false;
-                                                                        phi_2987_ = false;
+                                                                        phi_2820_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2821_ = true;
+                                                                        phi_2822_ = false;
                                                                     }
-                                                                    let _e2448 = phi_2985_;
-                                                                    let _e2450 = phi_2986_;
-                                                                    let _e2452 = phi_2987_;
-                                                                    if _e2448 {
-                                                                        phi_2991_ = false;
-                                                                        phi_2992_ = false;
+                                                                    let _e2256 = phi_2820_;
+                                                                    let _e2258 = phi_2821_;
+                                                                    let _e2260 = phi_2822_;
+                                                                    if _e2258 {
+                                                                        phi_2826_ = true;
                                                                     } else {
-                                                                        phi_2991_ = _e2450;
-                                                                        phi_2992_ = _e2452;
+                                                                        phi_2826_ = _e2260;
                                                                     }
-                                                                    let _e2454 = phi_2991_;
-                                                                    let _e2456 = phi_2992_;
-                                                                    phi_2309_ = (_e1894 & (_e1894 - 1u));
-                                                                    phi_2993_ = _e2448;
-                                                                    phi_2994_ = _e2454;
-                                                                    phi_2995_ = _e2456;
+                                                                    let _e2262 = phi_2826_;
+                                                                    if _e2262 {
+                                                                        phi_2830_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2830_ = _e2256;
+                                                                    }
+                                                                    let _e2264 = phi_2830_;
+                                                                    if _e2264.is_hit {
+                                                                        if (_e2264.t > 0f) {
+                                                                            if (_e2264.t < _e141) {
+                                                                                let _e2271 = triangles.member[(0u + _e1901)].i0_;
+                                                                                let _e2273 = ((_e2271 & 2147483648u) == 0u);
+                                                                                if _e2273 {
+                                                                                    phi_3057_ = false;
+                                                                                    phi_3058_ = false;
+                                                                                } else {
+                                                                                    if (_e1901 < _e79) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2280 = triangles.member[(0u + _e1901)].i0_;
+                                                                                    let _e2281 = (_e2280 & 2147483647u);
+                                                                                    let _e2283 = triangles.member[(0u + _e1901)].i1_;
+                                                                                    let _e2285 = triangles.member[(0u + _e1901)].i2_;
+                                                                                    if (_e2281 < _e91) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2289 = vertices.member[(0u + _e2281)];
+                                                                                    if (_e2283 < _e91) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2293 = vertices.member[(0u + _e2283)];
+                                                                                    if (_e2285 < _e91) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2297 = vertices.member[(0u + _e2285)];
+                                                                                    let _e2298 = array<abi_Vertex, 3>(_e2289, _e2293, _e2297);
+                                                                                    if (_e2298[0].material < arrayLength((&materials.member))) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2304 = materials.member[(0u + _e2298[0].material)];
+                                                                                    if ((_e2304.flags & 1u) == 1u) {
+                                                                                        let _e2309 = ((1f - _e2264.u) - _e2264.v);
+                                                                                        if (_e2304.cutoff <= 0f) {
+                                                                                            phi_3051_ = true;
+                                                                                        } else {
+                                                                                            let _e2340 = (_e2304.base_color.w * ((((f32((_e2298[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2309) + ((f32((_e2298[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2264.u)) + ((f32((_e2298[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2264.v)));
+                                                                                            if (_e2304.alpha_size == 0u) {
+                                                                                                phi_3048_ = _e2340;
+                                                                                            } else {
+                                                                                                local.offset = _e2304.alpha_offset;
+                                                                                                local.size = _e2304.alpha_size;
+                                                                                                local.flags = _e2304.flags;
+                                                                                                let _e2371 = _lt_shaders_texture_TextureView_quad((&local), (((_e2298[0].u * _e2309) + (_e2298[1].u * _e2264.u)) + (_e2298[2].u * _e2264.v)), (((_e2298[0].v * _e2309) + (_e2298[1].v * _e2264.u)) + (_e2298[2].v * _e2264.v)));
+                                                                                                let _e2375 = (_e2371.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2375 < _e97) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2379 = alpha_texels.member[(0u + _e2375)];
+                                                                                                let _e2395 = (_e2371.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2395 < _e97) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2399 = alpha_texels.member[(0u + _e2395)];
+                                                                                                let _e2416 = (_e2371.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2416 < _e97) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2420 = alpha_texels.member[(0u + _e2416)];
+                                                                                                let _e2437 = (_e2371.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2437 < _e97) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2441 = alpha_texels.member[(0u + _e2437)];
+                                                                                                phi_3048_ = (_e2340 * (((((f32(((_e2379 >> bitcast<u32>((((_e2371.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.x) + ((f32(((_e2399 >> bitcast<u32>((((_e2371.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.y)) + ((f32(((_e2420 >> bitcast<u32>((((_e2371.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.z)) + ((f32(((_e2441 >> bitcast<u32>((((_e2371.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.w)));
+                                                                                            }
+                                                                                            let _e2457 = phi_3048_;
+                                                                                            phi_3051_ = (_e2457 >= _e2304.cutoff);
+                                                                                        }
+                                                                                        let _e2461 = phi_3051_;
+                                                                                        phi_3052_ = _e2461;
+                                                                                    } else {
+                                                                                        phi_3052_ = false;
+                                                                                    }
+                                                                                    let _e2463 = phi_3052_;
+                                                                                    if _e2463 {
+                                                                                        phi_3056_ = false;
+                                                                                    } else {
+                                                                                        phi_3056_ = true;
+                                                                                    }
+                                                                                    let _e2465 = phi_3056_;
+                                                                                    phi_3057_ = _e2465;
+                                                                                    phi_3058_ = _e2463;
+                                                                                }
+                                                                                let _e2467 = phi_3057_;
+                                                                                let _e2469 = phi_3058_;
+                                                                                phi_3059_ = _e2467;
+                                                                                phi_3060_ = _e2273;
+                                                                                phi_3061_ = _e2469;
+                                                                            } else {
+                                                                                phi_3059_ = true;
+                                                                                phi_3060_ = false;
+                                                                                phi_3061_ = false;
+                                                                            }
+                                                                            let _e2471 = phi_3059_;
+                                                                            let _e2473 = phi_3060_;
+                                                                            let _e2475 = phi_3061_;
+                                                                            phi_3062_ = _e2471;
+                                                                            phi_3063_ = _e2473;
+                                                                            phi_3064_ = _e2475;
+                                                                        } else {
+                                                                            phi_3062_ = true;
+                                                                            phi_3063_ = false;
+                                                                            phi_3064_ = false;
+                                                                        }
+                                                                        let _e2477 = phi_3062_;
+                                                                        let _e2479 = phi_3063_;
+                                                                        let _e2481 = phi_3064_;
+                                                                        phi_3065_ = _e2477;
+                                                                        phi_3066_ = _e2479;
+                                                                        phi_3067_ = _e2481;
+                                                                    } else {
+                                                                        phi_3065_ = true;
+                                                                        phi_3066_ = false;
+                                                                        phi_3067_ = false;
+                                                                    }
+                                                                    let _e2483 = phi_3065_;
+                                                                    let _e2485 = phi_3066_;
+                                                                    let _e2487 = phi_3067_;
+                                                                    if _e2483 {
+                                                                        phi_3071_ = false;
+                                                                        phi_3072_ = false;
+                                                                    } else {
+                                                                        phi_3071_ = _e2485;
+                                                                        phi_3072_ = _e2487;
+                                                                    }
+                                                                    let _e2489 = phi_3071_;
+                                                                    let _e2491 = phi_3072_;
+                                                                    phi_2359_ = (_e1892 & (_e1892 - 1u));
+                                                                    phi_3073_ = _e2483;
+                                                                    phi_3074_ = _e2489;
+                                                                    phi_3075_ = _e2491;
                                                                 }
-                                                                let _e2458 = phi_2309_;
-                                                                let _e2460 = phi_2993_;
-                                                                let _e2462 = phi_2994_;
-                                                                let _e2464 = phi_2995_;
-                                                                local_14 = _e2462;
-                                                                local_15 = _e2464;
+                                                                let _e2493 = phi_2359_;
+                                                                let _e2495 = phi_3073_;
+                                                                let _e2497 = phi_3074_;
+                                                                let _e2499 = phi_3075_;
+                                                                local_13 = _e2497;
+                                                                local_14 = _e2499;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2308_ = _e2458;
-                                                                    break if !(_e2460);
+                                                                    phi_2358_ = _e2493;
+                                                                    break if !(_e2495);
                                                                 }
                                                             }
-                                                            let _e2467 = local_10;
-                                                            if _e2467 {
-                                                                let _e2469 = local_2.group_mask;
-                                                                if ((_e2469 & 4278190080u) == 0u) {
-                                                                    let _e2473 = local_2.len;
-                                                                    if (_e2473 == 0u) {
-                                                                        phi_3037_ = false;
+                                                            let _e2502 = local_9;
+                                                            if _e2502 {
+                                                                let _e2504 = local_1.group_mask;
+                                                                if ((_e2504 & 4278190080u) == 0u) {
+                                                                    let _e2508 = local_1.len;
+                                                                    if (_e2508 == 0u) {
+                                                                        phi_3117_ = false;
                                                                     } else {
-                                                                        let _e2477 = local_2.len;
-                                                                        local_2.len = (_e2477 - 1u);
-                                                                        let _e2480 = local_2.len;
-                                                                        if (_e2480 < 32u) {
+                                                                        let _e2512 = local_1.len;
+                                                                        local_1.len = (_e2512 - 1u);
+                                                                        let _e2515 = local_1.len;
+                                                                        if (_e2515 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2485 = local_2.first[(0u + _e2480)];
-                                                                        local_2.group = _e2485;
-                                                                        let _e2488 = local_2.len;
-                                                                        if (_e2488 < 32u) {
+                                                                        let _e2520 = local_1.first[(0u + _e2515)];
+                                                                        local_1.group = _e2520;
+                                                                        let _e2523 = local_1.len;
+                                                                        if (_e2523 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2493 = local_2.mask[(0u + _e2488)];
-                                                                        local_2.group_mask = _e2493;
-                                                                        phi_3037_ = true;
+                                                                        let _e2528 = local_1.mask[(0u + _e2523)];
+                                                                        local_1.group_mask = _e2528;
+                                                                        phi_3117_ = true;
                                                                     }
-                                                                    let _e2496 = phi_3037_;
-                                                                    phi_3038_ = _e2496;
+                                                                    let _e2531 = phi_3117_;
+                                                                    phi_3118_ = _e2531;
                                                                 } else {
-                                                                    phi_3038_ = true;
+                                                                    phi_3118_ = true;
                                                                 }
-                                                                let _e2498 = phi_3038_;
-                                                                if _e2498 {
-                                                                    let _e2500 = local_2.group_mask;
-                                                                    let _e2506 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2500)), 32u, (_e2500 == 0u)));
-                                                                    let _e2510 = local_2.group_mask;
-                                                                    let _e2524 = local_2.group_mask;
-                                                                    local_2.group_mask = (_e2524 & ~((1u << bitcast<u32>((_e2506 & 31u)))));
-                                                                    let _e2527 = local_2.group;
-                                                                    phi_3069_ = (_e2527 + countOneBits(((_e2510 & ~((4294967295u << bitcast<u32>((((_e2506 - 24u) ^ _e1320) & 31u))))) & 255u)));
+                                                                let _e2533 = phi_3118_;
+                                                                if _e2533 {
+                                                                    let _e2535 = local_1.group_mask;
+                                                                    let _e2541 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2535)), 32u, (_e2535 == 0u)));
+                                                                    let _e2545 = local_1.group_mask;
+                                                                    let _e2559 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2559 & ~((1u << bitcast<u32>((_e2541 & 31u)))));
+                                                                    let _e2562 = local_1.group;
+                                                                    phi_3149_ = (_e2562 + countOneBits(((_e2545 & ~((4294967295u << bitcast<u32>((((_e2541 - 24u) ^ _e1318) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3069_ = 4294967295u;
+                                                                    phi_3149_ = 4294967295u;
                                                                 }
-                                                                let _e2530 = phi_3069_;
-                                                                phi_3070_ = _e2530;
-                                                                phi_3071_ = false;
-                                                                phi_3072_ = false;
+                                                                let _e2565 = phi_3149_;
+                                                                phi_3150_ = _e2565;
+                                                                phi_3151_ = false;
+                                                                phi_3152_ = false;
                                                             } else {
-                                                                phi_3070_ = u32();
-                                                                let _e2903 = local_14;
-                                                                phi_3071_ = _e2903;
-                                                                let _e2906 = local_15;
-                                                                phi_3072_ = _e2906;
+                                                                phi_3150_ = u32();
+                                                                let _e2945 = local_13;
+                                                                phi_3151_ = _e2945;
+                                                                let _e2948 = local_14;
+                                                                phi_3152_ = _e2948;
                                                             }
-                                                            let _e2532 = phi_3070_;
-                                                            let _e2534 = phi_3071_;
-                                                            let _e2536 = phi_3072_;
-                                                            phi_1979_ = _e2532;
-                                                            let _e2910 = local_16;
-                                                            phi_3073_ = _e2910;
-                                                            phi_3074_ = false;
-                                                            phi_3075_ = _e2534;
-                                                            phi_3076_ = _e2536;
+                                                            let _e2567 = phi_3150_;
+                                                            let _e2569 = phi_3151_;
+                                                            let _e2571 = phi_3152_;
+                                                            phi_2029_ = _e2567;
+                                                            let _e2952 = local_15;
+                                                            phi_3153_ = _e2952;
+                                                            phi_3154_ = false;
+                                                            phi_3155_ = _e2569;
+                                                            phi_3156_ = _e2571;
                                                         } else {
-                                                            phi_1979_ = u32();
-                                                            phi_3073_ = false;
-                                                            phi_3074_ = true;
-                                                            phi_3075_ = false;
-                                                            phi_3076_ = false;
+                                                            phi_2029_ = u32();
+                                                            phi_3153_ = false;
+                                                            phi_3154_ = true;
+                                                            phi_3155_ = false;
+                                                            phi_3156_ = false;
                                                         }
-                                                        let _e2538 = phi_1979_;
-                                                        let _e2540 = phi_3073_;
-                                                        let _e2542 = phi_3074_;
-                                                        let _e2544 = phi_3075_;
-                                                        let _e2546 = phi_3076_;
-                                                        local_11 = _e2542;
-                                                        local_17 = _e2544;
-                                                        local_18 = _e2546;
+                                                        let _e2573 = phi_2029_;
+                                                        let _e2575 = phi_3153_;
+                                                        let _e2577 = phi_3154_;
+                                                        let _e2579 = phi_3155_;
+                                                        let _e2581 = phi_3156_;
+                                                        local_10 = _e2577;
+                                                        local_16 = _e2579;
+                                                        local_17 = _e2581;
                                                         continue;
                                                         continuing {
-                                                            phi_1978_ = _e2538;
-                                                            break if !(_e2540);
+                                                            phi_2028_ = _e2573;
+                                                            break if !(_e2575);
                                                         }
                                                     }
-                                                    let _e2549 = local_11;
-                                                    if _e2549 {
-                                                        phi_3080_ = false;
-                                                        phi_3081_ = false;
+                                                    let _e2584 = local_10;
+                                                    if _e2584 {
+                                                        phi_3160_ = false;
+                                                        phi_3161_ = false;
                                                     } else {
-                                                        let _e2917 = local_17;
-                                                        phi_3080_ = _e2917;
-                                                        let _e2920 = local_18;
-                                                        phi_3081_ = _e2920;
+                                                        let _e2959 = local_16;
+                                                        phi_3160_ = _e2959;
+                                                        let _e2962 = local_17;
+                                                        phi_3161_ = _e2962;
                                                     }
-                                                    let _e2551 = phi_3080_;
-                                                    let _e2553 = phi_3081_;
-                                                    if _e2551 {
-                                                        phi_3085_ = true;
+                                                    let _e2586 = phi_3160_;
+                                                    let _e2588 = phi_3161_;
+                                                    if _e2586 {
+                                                        phi_3165_ = true;
                                                     } else {
-                                                        phi_3085_ = _e2553;
+                                                        phi_3165_ = _e2588;
                                                     }
-                                                    let _e2555 = phi_3085_;
-                                                    if _e2555 {
-                                                        phi_3089_ = true;
+                                                    let _e2590 = phi_3165_;
+                                                    if _e2590 {
+                                                        phi_3169_ = true;
                                                     } else {
-                                                        phi_3089_ = false;
+                                                        phi_3169_ = false;
                                                     }
-                                                    let _e2557 = phi_3089_;
-                                                    phi_3090_ = _e2557;
+                                                    let _e2592 = phi_3169_;
+                                                    phi_3170_ = _e2592;
                                                 }
-                                                let _e2559 = phi_3090_;
-                                                phi_3091_ = _e2559;
-                                                phi_3092_ = _e1146;
+                                                let _e2594 = phi_3170_;
+                                                phi_3171_ = _e2594;
+                                                phi_3172_ = _e1144;
                                             } else {
-                                                phi_3091_ = bool();
-                                                phi_3092_ = true;
+                                                phi_3171_ = bool();
+                                                phi_3172_ = true;
                                             }
-                                            let _e2561 = phi_3091_;
-                                            let _e2563 = phi_3092_;
-                                            if _e2563 {
-                                                phi_3096_ = false;
+                                            let _e2596 = phi_3171_;
+                                            let _e2598 = phi_3172_;
+                                            if _e2598 {
+                                                phi_3176_ = false;
                                             } else {
-                                                phi_3096_ = _e2561;
+                                                phi_3176_ = _e2596;
                                             }
-                                            let _e2565 = phi_3096_;
-                                            if _e2565 {
-                                                phi_3100_ = false;
+                                            let _e2600 = phi_3176_;
+                                            if _e2600 {
+                                                phi_3180_ = false;
                                             } else {
-                                                phi_3100_ = true;
+                                                phi_3180_ = true;
                                             }
-                                            let _e2567 = phi_3100_;
-                                            phi_3101_ = _e2567;
+                                            let _e2602 = phi_3180_;
+                                            phi_3181_ = _e2602;
                                         } else {
-                                            phi_3101_ = true;
+                                            phi_3181_ = true;
                                         }
-                                        let _e2569 = phi_3101_;
-                                        phi_3102_ = _e2569;
+                                        let _e2604 = phi_3181_;
+                                        phi_3182_ = _e2604;
                                     } else {
-                                        phi_3102_ = true;
+                                        phi_3182_ = true;
                                     }
-                                    let _e2571 = phi_3102_;
-                                    phi_3103_ = _e2571;
+                                    let _e2606 = phi_3182_;
+                                    phi_3183_ = _e2606;
                                 } else {
-                                    phi_3103_ = true;
+                                    phi_3183_ = true;
                                 }
-                                let _e2573 = phi_3103_;
-                                if _e2573 {
+                                let _e2608 = phi_3183_;
+                                if _e2608 {
                                 }
-                                phi_1370_ = (_e930 & (_e930 - 1u));
-                                phi_3107_ = _e2573;
+                                phi_1423_ = (_e931 & (_e931 - 1u));
+                                phi_3187_ = _e2608;
                             }
-                            let _e2575 = phi_1370_;
-                            let _e2577 = phi_3107_;
+                            let _e2610 = phi_1423_;
+                            let _e2612 = phi_3187_;
                             continue;
                             continuing {
-                                phi_1369_ = _e2575;
-                                break if !(_e2577);
+                                phi_1422_ = _e2610;
+                                break if !(_e2612);
                             }
                         }
-                        let _e2580 = local_12;
-                        if _e2580 {
-                            let _e2582 = local_3.group_mask;
-                            if ((_e2582 & 4278190080u) == 0u) {
-                                let _e2586 = local_3.len;
-                                if (_e2586 == 0u) {
-                                    phi_3149_ = false;
+                        let _e2615 = local_11;
+                        if _e2615 {
+                            let _e2617 = local_2.group_mask;
+                            if ((_e2617 & 4278190080u) == 0u) {
+                                let _e2621 = local_2.len;
+                                if (_e2621 == 0u) {
+                                    phi_3229_ = false;
                                 } else {
-                                    let _e2590 = local_3.len;
-                                    local_3.len = (_e2590 - 1u);
-                                    let _e2593 = local_3.len;
-                                    if (_e2593 < 32u) {
+                                    let _e2625 = local_2.len;
+                                    local_2.len = (_e2625 - 1u);
+                                    let _e2628 = local_2.len;
+                                    if (_e2628 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2598 = local_3.first[(0u + _e2593)];
-                                    local_3.group = _e2598;
-                                    let _e2601 = local_3.len;
-                                    if (_e2601 < 32u) {
+                                    let _e2633 = local_2.first[(0u + _e2628)];
+                                    local_2.group = _e2633;
+                                    let _e2636 = local_2.len;
+                                    if (_e2636 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2606 = local_3.mask[(0u + _e2601)];
-                                    local_3.group_mask = _e2606;
-                                    phi_3149_ = true;
+                                    let _e2641 = local_2.mask[(0u + _e2636)];
+                                    local_2.group_mask = _e2641;
+                                    phi_3229_ = true;
                                 }
-                                let _e2609 = phi_3149_;
-                                phi_3150_ = _e2609;
+                                let _e2644 = phi_3229_;
+                                phi_3230_ = _e2644;
                             } else {
-                                phi_3150_ = true;
+                                phi_3230_ = true;
                             }
-                            let _e2611 = phi_3150_;
-                            if _e2611 {
-                                let _e2613 = local_3.group_mask;
-                                let _e2619 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2613)), 32u, (_e2613 == 0u)));
-                                let _e2623 = local_3.group_mask;
-                                let _e2637 = local_3.group_mask;
-                                local_3.group_mask = (_e2637 & ~((1u << bitcast<u32>((_e2619 & 31u)))));
-                                let _e2640 = local_3.group;
-                                phi_3181_ = (_e2640 + countOneBits(((_e2623 & ~((4294967295u << bitcast<u32>((((_e2619 - 24u) ^ _e356) & 31u))))) & 255u)));
+                            let _e2646 = phi_3230_;
+                            if _e2646 {
+                                let _e2648 = local_2.group_mask;
+                                let _e2654 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2648)), 32u, (_e2648 == 0u)));
+                                let _e2658 = local_2.group_mask;
+                                let _e2672 = local_2.group_mask;
+                                local_2.group_mask = (_e2672 & ~((1u << bitcast<u32>((_e2654 & 31u)))));
+                                let _e2675 = local_2.group;
+                                phi_3261_ = (_e2675 + countOneBits(((_e2658 & ~((4294967295u << bitcast<u32>((((_e2654 - 24u) ^ _e357) & 31u))))) & 255u)));
                             } else {
-                                phi_3181_ = 4294967295u;
+                                phi_3261_ = 4294967295u;
                             }
-                            let _e2643 = phi_3181_;
-                            phi_3182_ = _e2643;
+                            let _e2678 = phi_3261_;
+                            phi_3262_ = _e2678;
                         } else {
-                            phi_3182_ = u32();
+                            phi_3262_ = u32();
                         }
-                        let _e2645 = phi_3182_;
-                        phi_1040_ = _e2645;
-                        let _e2941 = local_19;
-                        phi_3183_ = _e2941;
-                        phi_3184_ = false;
+                        let _e2680 = phi_3262_;
+                        phi_1093_ = _e2680;
+                        let _e2983 = local_18;
+                        phi_3263_ = _e2983;
+                        phi_3264_ = false;
                     } else {
-                        phi_1040_ = u32();
-                        phi_3183_ = false;
-                        phi_3184_ = true;
+                        phi_1093_ = u32();
+                        phi_3263_ = false;
+                        phi_3264_ = true;
                     }
-                    let _e2647 = phi_1040_;
-                    let _e2649 = phi_3183_;
-                    let _e2651 = phi_3184_;
-                    local_13 = _e2651;
+                    let _e2682 = phi_1093_;
+                    let _e2684 = phi_3263_;
+                    let _e2686 = phi_3264_;
+                    local_12 = _e2686;
                     continue;
                     continuing {
-                        phi_1039_ = _e2647;
-                        break if !(_e2649);
+                        phi_1092_ = _e2682;
+                        break if !(_e2684);
                     }
                 }
-                let _e2654 = local_13;
-                if _e2654 {
-                    phi_3188_ = false;
+                let _e2689 = local_12;
+                if _e2689 {
+                    phi_3268_ = false;
                 } else {
-                    phi_3188_ = true;
+                    phi_3268_ = true;
                 }
-                let _e2656 = phi_3188_;
-                if _e2656 {
-                    phi_3192_ = true;
+                let _e2691 = phi_3268_;
+                if _e2691 {
+                    phi_3272_ = true;
                 } else {
-                    phi_3192_ = false;
+                    phi_3272_ = false;
                 }
-                let _e2658 = phi_3192_;
-                phi_3193_ = _e2658;
+                let _e2693 = phi_3272_;
+                phi_3273_ = _e2693;
             }
-            let _e2660 = phi_3193_;
-            phi_3194_ = _e2660;
-            phi_3195_ = _e203;
+            let _e2695 = phi_3273_;
+            phi_3274_ = _e2695;
+            phi_3275_ = _e213;
         } else {
-            phi_3194_ = bool();
-            phi_3195_ = true;
+            phi_3274_ = bool();
+            phi_3275_ = true;
         }
-        let _e2662 = phi_3194_;
-        let _e2664 = phi_3195_;
-        if _e2664 {
-            phi_3199_ = false;
+        let _e2697 = phi_3274_;
+        let _e2699 = phi_3275_;
+        if _e2699 {
+            phi_3279_ = false;
         } else {
-            phi_3199_ = _e2662;
+            phi_3279_ = _e2697;
         }
-        let _e2666 = phi_3199_;
-        if _e2666 {
-            phi_3203_ = 0f;
+        let _e2701 = phi_3279_;
+        if _e2701 {
+            phi_3283_ = 0f;
         } else {
-            phi_3203_ = 1f;
+            phi_3283_ = 1f;
         }
-        let _e2668 = phi_3203_;
-        if (_e103 < arrayLength((&visibility.member))) {
+        let _e2703 = phi_3283_;
+        if (_e110 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e103)] = _e2668;
+        visibility.member[(0u + _e110)] = _e2703;
     }
     return;
 }

@@ -79,13 +79,6 @@ struct type_46 {
     member: array<lt_bvh_Node>,
 }
 
-struct lt_bvh_Ray {
-    origin: vec3<f32>,
-    tmin: f32,
-    direction: vec3<f32>,
-    tmax: f32,
-}
-
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
     unnamed: lt_bvh_traverse_Tree,
     unnamed_1: lt_bvh_traverse_Tree,
@@ -132,324 +125,323 @@ var<storage, read_write> visibility: type_38;
 var<storage> list: type_11;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_166_: bool;
-    var phi_170_: f32;
+    var phi_161_: bool;
+    var phi_165_: f32;
 
     if (param != param) {
-        phi_166_ = true;
+        phi_161_ = true;
     } else {
         let _e54 = (param_1 >= param);
         if _e54 {
         }
-        phi_166_ = _e54;
+        phi_161_ = _e54;
     }
-    let _e56 = phi_166_;
+    let _e56 = phi_161_;
     if _e56 {
-        phi_170_ = param_1;
+        phi_165_ = param_1;
     } else {
-        phi_170_ = param;
+        phi_165_ = param;
     }
-    let _e58 = phi_170_;
+    let _e58 = phi_165_;
     return _e58;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_182_: bool;
-    var phi_186_: f32;
+    var phi_177_: bool;
+    var phi_181_: f32;
 
     if (param_2 != param_2) {
-        phi_182_ = true;
+        phi_177_ = true;
     } else {
         let _e54 = (param_3 <= param_2);
         if _e54 {
         }
-        phi_182_ = _e54;
+        phi_177_ = _e54;
     }
-    let _e56 = phi_182_;
+    let _e56 = phi_177_;
     if _e56 {
-        phi_186_ = param_3;
+        phi_181_ = param_3;
     } else {
-        phi_186_ = param_2;
+        phi_181_ = param_2;
     }
-    let _e58 = phi_186_;
+    let _e58 = phi_181_;
     return _e58;
-}
-
-fn lt_shaders_evaluate_to_light(param_4: vec3<f32>, param_5: vec4<f32>) -> vec3<f32> {
-    return vec3<f32>((param_5.x - (param_4.x * param_5.w)), (param_5.y - (param_4.y * param_5.w)), (param_5.z - (param_4.z * param_5.w)));
-}
-
-fn lt_shaders_doubt_slot_of(param_6: vec3<u32>) -> u32 {
-    return ((param_6.y * 2097152u) + param_6.x);
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_290_: f32;
+    var phi_263_: f32;
+    var phi_319_: bool;
+    var phi_320_: bool;
+    var phi_321_: bool;
+    var phi_325_: bool;
+    var phi_326_: bool;
+    var phi_327_: bool;
+    var phi_328_: bool;
+    var phi_329_: bool;
+    var phi_330_: bool;
+    var phi_331_: bool;
+    var phi_332_: bool;
+    var phi_333_: bool;
+    var phi_334_: bool;
+    var phi_335_: bool;
+    var phi_336_: bool;
+    var phi_337_: bool;
+    var phi_338_: bool;
+    var phi_339_: bool;
+    var phi_340_: bool;
     var phi_341_: bool;
     var phi_342_: bool;
-    var phi_343_: bool;
-    var phi_347_: bool;
-    var phi_348_: bool;
-    var phi_349_: bool;
+    var phi_346_: bool;
     var phi_350_: bool;
-    var phi_351_: bool;
-    var phi_352_: bool;
-    var phi_353_: bool;
-    var phi_354_: bool;
-    var phi_355_: bool;
-    var phi_356_: bool;
-    var phi_357_: bool;
-    var phi_358_: bool;
-    var phi_359_: bool;
-    var phi_360_: bool;
-    var phi_361_: bool;
-    var phi_362_: bool;
-    var phi_363_: bool;
-    var phi_364_: bool;
-    var phi_368_: bool;
-    var phi_372_: bool;
-    var phi_446_: f32;
-    var phi_453_: f32;
-    var phi_461_: f32;
-    var phi_468_: f32;
-    var phi_476_: f32;
-    var phi_483_: f32;
-    var phi_500_: f32;
-    var phi_505_: f32;
-    var phi_510_: f32;
-    var phi_531_: u32;
-    var phi_536_: u32;
-    var phi_541_: u32;
-    var phi_655_: bool;
-    var phi_656_: bool;
-    var phi_687_: u32;
-    var phi_689_: u32;
-    var phi_770_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_797_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_824_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_830_: u32;
-    var phi_833_: u32;
-    var phi_847_: u32;
+    var phi_420_: f32;
+    var phi_427_: f32;
+    var phi_434_: f32;
+    var phi_441_: f32;
+    var phi_448_: f32;
+    var phi_455_: f32;
+    var phi_472_: f32;
+    var phi_477_: f32;
+    var phi_482_: f32;
+    var phi_503_: u32;
+    var phi_508_: u32;
+    var phi_513_: u32;
+    var phi_627_: bool;
+    var phi_628_: bool;
+    var phi_659_: u32;
+    var phi_661_: u32;
+    var phi_742_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_769_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_796_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_802_: u32;
+    var phi_805_: u32;
+    var phi_819_: u32;
+    var phi_829_: u32;
+    var phi_839_: u32;
     var phi_857_: u32;
     var phi_867_: u32;
-    var phi_885_: u32;
-    var phi_895_: u32;
-    var phi_905_: u32;
-    var phi_941_: u32;
-    var phi_954_: u32;
-    var phi_959_: u32;
-    var phi_960_: u32;
-    var phi_961_: u32;
-    var phi_831_: u32;
-    var phi_834_: u32;
+    var phi_877_: u32;
+    var phi_913_: u32;
+    var phi_926_: u32;
+    var phi_931_: u32;
+    var phi_932_: u32;
+    var phi_933_: u32;
+    var phi_803_: u32;
+    var phi_806_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1019_: u32;
+    var phi_991_: u32;
+    var phi_1041_: f32;
+    var phi_1046_: f32;
+    var phi_1051_: f32;
+    var phi_1059_: f32;
+    var phi_1064_: f32;
     var phi_1069_: f32;
-    var phi_1074_: f32;
-    var phi_1079_: f32;
-    var phi_1087_: f32;
-    var phi_1092_: f32;
-    var phi_1097_: f32;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_1221_: bool;
+    var phi_1222_: bool;
+    var phi_1223_: bool;
+    var phi_1224_: bool;
+    var phi_1225_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: bool;
+    var phi_1228_: bool;
+    var phi_1229_: bool;
+    var phi_1230_: bool;
+    var phi_1231_: bool;
+    var phi_1232_: bool;
+    var phi_1233_: bool;
+    var phi_1234_: bool;
+    var phi_1235_: bool;
+    var phi_1236_: bool;
+    var phi_1240_: bool;
     var phi_1244_: bool;
-    var phi_1245_: bool;
-    var phi_1246_: bool;
-    var phi_1250_: bool;
-    var phi_1251_: bool;
-    var phi_1252_: bool;
-    var phi_1253_: bool;
-    var phi_1254_: bool;
-    var phi_1255_: bool;
-    var phi_1256_: bool;
-    var phi_1257_: bool;
-    var phi_1258_: bool;
-    var phi_1259_: bool;
-    var phi_1260_: bool;
-    var phi_1261_: bool;
-    var phi_1262_: bool;
-    var phi_1263_: bool;
-    var phi_1264_: bool;
-    var phi_1265_: bool;
-    var phi_1266_: bool;
-    var phi_1267_: bool;
-    var phi_1271_: bool;
-    var phi_1275_: bool;
-    var phi_1345_: f32;
-    var phi_1352_: f32;
-    var phi_1359_: f32;
+    var phi_1314_: f32;
+    var phi_1321_: f32;
+    var phi_1328_: f32;
+    var phi_1335_: f32;
+    var phi_1342_: f32;
+    var phi_1349_: f32;
     var phi_1366_: f32;
-    var phi_1373_: f32;
-    var phi_1380_: f32;
-    var phi_1397_: f32;
-    var phi_1402_: f32;
-    var phi_1407_: f32;
-    var phi_1435_: bool;
-    var phi_1436_: bool;
+    var phi_1371_: f32;
+    var phi_1376_: f32;
+    var phi_1404_: bool;
+    var phi_1405_: bool;
+    var phi_1413_: u32;
+    var phi_1414_: u32;
+    var phi_1425_: vec3<f32>;
+    var phi_1426_: vec3<f32>;
+    var phi_1439_: u32;
     var phi_1444_: u32;
-    var phi_1445_: u32;
-    var phi_1456_: vec3<f32>;
-    var phi_1457_: vec3<f32>;
-    var phi_1470_: u32;
-    var phi_1475_: u32;
-    var phi_1480_: u32;
-    var phi_1594_: bool;
-    var phi_1595_: bool;
-    var phi_1626_: u32;
-    var phi_1628_: u32;
-    var phi_1709_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1736_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1763_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1769_: u32;
-    var phi_1772_: u32;
-    var phi_1786_: u32;
-    var phi_1796_: u32;
-    var phi_1806_: u32;
-    var phi_1824_: u32;
-    var phi_1834_: u32;
-    var phi_1844_: u32;
-    var phi_1880_: u32;
-    var phi_1893_: u32;
-    var phi_1898_: u32;
-    var phi_1899_: u32;
-    var phi_1900_: u32;
-    var phi_1770_: u32;
-    var phi_1773_: u32;
+    var phi_1449_: u32;
+    var phi_1563_: bool;
+    var phi_1564_: bool;
+    var phi_1595_: u32;
+    var phi_1597_: u32;
+    var phi_1678_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1705_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1732_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1738_: u32;
+    var phi_1741_: u32;
+    var phi_1755_: u32;
+    var phi_1765_: u32;
+    var phi_1775_: u32;
+    var phi_1793_: u32;
+    var phi_1803_: u32;
+    var phi_1813_: u32;
+    var phi_1849_: u32;
+    var phi_1862_: u32;
+    var phi_1867_: u32;
+    var phi_1868_: u32;
+    var phi_1869_: u32;
+    var phi_1739_: u32;
+    var phi_1742_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1958_: u32;
-    var phi_2003_: vec3<f32>;
+    var phi_1927_: u32;
+    var phi_1972_: vec3<f32>;
+    var phi_1973_: vec3<f32>;
     var phi_2004_: vec3<f32>;
-    var phi_2035_: vec3<f32>;
+    var phi_2005_: vec3<f32>;
     var phi_2036_: vec3<f32>;
-    var phi_2067_: vec3<f32>;
-    var phi_2068_: vec3<f32>;
-    var phi_2088_: bool;
-    var phi_2089_: bool;
-    var phi_2093_: f32;
-    var phi_2094_: f32;
-    var phi_2095_: f32;
-    var phi_2096_: f32;
-    var phi_2104_: f32;
-    var phi_2114_: bool;
-    var phi_2115_: bool;
-    var phi_2119_: f32;
-    var phi_2120_: f32;
-    var phi_2121_: f32;
-    var phi_2122_: f32;
-    var phi_2130_: f32;
-    var phi_2140_: bool;
+    var phi_2037_: vec3<f32>;
+    var phi_2057_: bool;
+    var phi_2058_: bool;
+    var phi_2062_: f32;
+    var phi_2063_: f32;
+    var phi_2064_: f32;
+    var phi_2065_: f32;
+    var phi_2073_: f32;
+    var phi_2083_: bool;
+    var phi_2084_: bool;
+    var phi_2088_: f32;
+    var phi_2089_: f32;
+    var phi_2090_: f32;
+    var phi_2091_: f32;
+    var phi_2099_: f32;
+    var phi_2109_: bool;
+    var phi_2110_: bool;
+    var phi_2114_: f32;
+    var phi_2115_: f32;
+    var phi_2116_: f32;
+    var phi_2117_: f32;
+    var phi_2125_: f32;
+    var phi_2140_: f32;
     var phi_2141_: bool;
-    var phi_2145_: f32;
-    var phi_2146_: f32;
-    var phi_2147_: f32;
-    var phi_2148_: f32;
-    var phi_2156_: f32;
-    var phi_2171_: f32;
+    var phi_2142_: f32;
+    var phi_2143_: bool;
+    var phi_2144_: f32;
+    var phi_2145_: bool;
+    var phi_2163_: f32;
+    var phi_2164_: bool;
+    var phi_2165_: bool;
+    var phi_2166_: f32;
+    var phi_2167_: bool;
+    var phi_2168_: bool;
     var phi_2172_: bool;
     var phi_2173_: f32;
     var phi_2174_: bool;
-    var phi_2175_: f32;
-    var phi_2176_: bool;
-    var phi_2194_: f32;
-    var phi_2195_: bool;
-    var phi_2196_: bool;
-    var phi_2197_: f32;
-    var phi_2198_: bool;
-    var phi_2199_: bool;
-    var phi_2203_: bool;
-    var phi_2204_: f32;
-    var phi_2205_: bool;
-    var phi_2231_: f32;
-    var phi_2240_: f32;
+    var phi_2208_: f32;
+    var phi_2217_: f32;
+    var phi_2226_: f32;
+    var phi_2235_: f32;
+    var phi_2242_: f32;
     var phi_2249_: f32;
-    var phi_2258_: f32;
-    var phi_2265_: f32;
-    var phi_2272_: f32;
-    var phi_2285_: f32;
-    var phi_2294_: f32;
+    var phi_2262_: f32;
+    var phi_2271_: f32;
+    var phi_2280_: f32;
+    var phi_2289_: f32;
+    var phi_2296_: f32;
     var phi_2303_: f32;
-    var phi_2312_: f32;
-    var phi_2319_: f32;
-    var phi_2326_: f32;
+    var phi_2320_: f32;
+    var phi_2325_: f32;
+    var phi_2330_: f32;
+    var phi_2338_: f32;
     var phi_2343_: f32;
     var phi_2348_: f32;
-    var phi_2353_: f32;
-    var phi_2361_: f32;
-    var phi_2366_: f32;
-    var phi_2371_: f32;
-    var phi_2383_: f32;
-    var phi_2388_: f32;
-    var phi_2393_: f32;
-    var phi_2398_: f32;
-    var phi_2403_: lt_bvh_triangle_Intersection;
-    var phi_2404_: lt_bvh_triangle_Intersection;
-    var phi_2405_: bool;
-    var phi_2409_: lt_bvh_triangle_Intersection;
+    var phi_2360_: f32;
+    var phi_2365_: f32;
+    var phi_2370_: f32;
+    var phi_2375_: f32;
+    var phi_2380_: lt_bvh_triangle_Intersection;
+    var phi_2381_: bool;
+    var phi_2382_: lt_bvh_triangle_Intersection;
+    var phi_2383_: bool;
+    var phi_2387_: lt_bvh_triangle_Intersection;
+    var phi_2388_: bool;
+    var phi_2389_: lt_bvh_triangle_Intersection;
+    var phi_2390_: bool;
+    var phi_2391_: bool;
+    var phi_2395_: bool;
+    var phi_2399_: lt_bvh_triangle_Intersection;
+    var phi_2424_: bool;
+    var phi_2425_: bool;
+    var phi_2426_: bool;
+    var phi_2427_: bool;
+    var phi_2428_: bool;
+    var phi_2429_: bool;
+    var phi_2430_: bool;
+    var phi_2431_: bool;
+    var phi_2432_: bool;
+    var phi_2433_: bool;
     var phi_2434_: bool;
     var phi_2435_: bool;
-    var phi_2436_: bool;
-    var phi_2437_: bool;
-    var phi_2438_: bool;
     var phi_2439_: bool;
     var phi_2440_: bool;
+    var phi_1928_: u32;
     var phi_2441_: bool;
     var phi_2442_: bool;
     var phi_2443_: bool;
-    var phi_2444_: bool;
-    var phi_2445_: bool;
-    var phi_2449_: bool;
-    var phi_2450_: bool;
-    var phi_1959_: u32;
-    var phi_2451_: bool;
-    var phi_2452_: bool;
-    var phi_2453_: bool;
     var local_8: bool;
-    var phi_2495_: bool;
-    var phi_2496_: bool;
-    var phi_2527_: u32;
-    var phi_2528_: u32;
-    var phi_2529_: bool;
-    var phi_2530_: bool;
-    var phi_1629_: u32;
-    var phi_2531_: bool;
-    var phi_2532_: bool;
-    var phi_2533_: bool;
-    var phi_2534_: bool;
+    var phi_2485_: bool;
+    var phi_2486_: bool;
+    var phi_2517_: u32;
+    var phi_2518_: u32;
+    var phi_2519_: bool;
+    var phi_2520_: bool;
+    var phi_1598_: u32;
+    var phi_2521_: bool;
+    var phi_2522_: bool;
+    var phi_2523_: bool;
+    var phi_2524_: bool;
     var local_9: bool;
+    var phi_2528_: bool;
+    var phi_2529_: bool;
+    var phi_2533_: bool;
+    var phi_2537_: bool;
     var phi_2538_: bool;
     var phi_2539_: bool;
-    var phi_2543_: bool;
-    var phi_2547_: bool;
+    var phi_2540_: bool;
+    var phi_2544_: bool;
     var phi_2548_: bool;
     var phi_2549_: bool;
     var phi_2550_: bool;
-    var phi_2554_: bool;
-    var phi_2558_: bool;
-    var phi_2559_: bool;
-    var phi_2560_: bool;
-    var phi_2561_: bool;
-    var phi_1020_: u32;
-    var phi_2565_: bool;
+    var phi_2551_: bool;
+    var phi_992_: u32;
+    var phi_2555_: bool;
     var local_10: bool;
-    var phi_2607_: bool;
-    var phi_2608_: bool;
-    var phi_2639_: u32;
-    var phi_2640_: u32;
-    var phi_690_: u32;
+    var phi_2597_: bool;
+    var phi_2598_: bool;
+    var phi_2629_: u32;
+    var phi_2630_: u32;
+    var phi_662_: u32;
+    var phi_2631_: bool;
+    var phi_2632_: bool;
+    var local_11: bool;
+    var phi_2636_: bool;
+    var phi_2640_: bool;
     var phi_2641_: bool;
     var phi_2642_: bool;
-    var local_11: bool;
-    var phi_2646_: bool;
-    var phi_2650_: bool;
-    var phi_2651_: bool;
-    var phi_2652_: bool;
-    var phi_2653_: bool;
-    var phi_2657_: bool;
-    var phi_2661_: f32;
+    var phi_2643_: bool;
+    var phi_2647_: bool;
+    var phi_2651_: f32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
@@ -460,1826 +452,1855 @@ fn function_() {
     let _e53 = id_1;
     let _e60 = arrayLength((&nodes.member));
     let _e69 = arrayLength((&list.member));
-    let _e73 = lt_shaders_doubt_slot_of(_e53);
+    let _e76 = ((_e53.y * 2097152u) + _e53.x);
     if (3u < _e69) {
     } else {
         return;
     }
-    let _e76 = list.member[3u];
-    if (_e73 < _e76) {
-        let _e78 = (_e73 + 4u);
-        if (_e78 < _e69) {
+    let _e79 = list.member[3u];
+    if (_e76 < _e79) {
+        let _e81 = (_e76 + 4u);
+        if (_e81 < _e69) {
         } else {
             return;
         }
-        let _e82 = list.member[(0u + _e78)];
-        let _e84 = p.member.root;
-        if (_e82 < arrayLength((&samples.member))) {
+        let _e85 = list.member[(0u + _e81)];
+        let _e87 = p.member.root;
+        if (_e85 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e89 = p.member.light;
-        let _e91 = samples.member[(0u + _e82)].position;
-        let _e93 = samples.member[(0u + _e82)].normal;
-        let _e95 = samples.member[(0u + _e82)].magnitude;
-        let _e97 = ((8f / 8388608f) * _e95);
-        let _e99 = (_e93.x * _e97);
-        let _e101 = (_e93.y * _e97);
-        let _e103 = (_e93.z * _e97);
-        let _e105 = (_e91.x + _e99);
-        let _e107 = (_e91.y + _e101);
-        let _e109 = (_e91.z + _e103);
-        let _e111 = (_e91 + vec3<f32>(_e99, _e101, _e103));
-        if (_e89.w == 0f) {
-            phi_290_ = 300000000000000000000000000000000000000f;
+        let _e92 = p.member.light;
+        let _e94 = samples.member[(0u + _e85)].position;
+        let _e96 = samples.member[(0u + _e85)].normal;
+        let _e98 = samples.member[(0u + _e85)].magnitude;
+        let _e100 = ((8f / 8388608f) * _e98);
+        let _e108 = (_e94.x + (_e96.x * _e100));
+        let _e110 = (_e94.y + (_e96.y * _e100));
+        let _e112 = (_e94.z + (_e96.z * _e100));
+        if (_e92.w == 0f) {
+            phi_263_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_290_ = 1f;
+            phi_263_ = 1f;
         }
-        let _e115 = phi_290_;
-        let _e116 = lt_shaders_evaluate_to_light(_e111, _e89);
-        let _e117 = lt_bvh_Ray(_e111, 0f, _e116, _e115);
-        let _e122 = abs(_e116.x);
-        let _e124 = abs(_e116.y);
-        let _e126 = abs(_e116.z);
-        if (abs(_e105) < 1000000000000000f) {
-            if (abs(_e107) < 1000000000000000f) {
-                if (abs(_e109) < 1000000000000000f) {
-                    if (_e122 < 1000000000000000f) {
-                        if (_e124 < 1000000000000000f) {
-                            if (_e126 < 1000000000000000f) {
-                                if (_e122 > 0f) {
-                                    phi_342_ = bool();
-                                    phi_343_ = true;
+        let _e116 = phi_263_;
+        let _e124 = (_e92.x - (_e108 * _e92.w));
+        let _e125 = (_e92.y - (_e110 * _e92.w));
+        let _e126 = (_e92.z - (_e112 * _e92.w));
+        let _e130 = abs(_e124);
+        let _e131 = abs(_e125);
+        let _e132 = abs(_e126);
+        if (abs(_e108) < 1000000000000000f) {
+            if (abs(_e110) < 1000000000000000f) {
+                if (abs(_e112) < 1000000000000000f) {
+                    if (_e130 < 1000000000000000f) {
+                        if (_e131 < 1000000000000000f) {
+                            if (_e132 < 1000000000000000f) {
+                                if (_e130 > 0f) {
+                                    phi_320_ = bool();
+                                    phi_321_ = true;
                                 } else {
-                                    let _e134 = (_e124 > 0f);
-                                    if _e134 {
-                                        phi_341_ = bool();
+                                    let _e140 = (_e131 > 0f);
+                                    if _e140 {
+                                        phi_319_ = bool();
                                     } else {
-                                        phi_341_ = (_e126 > 0f);
+                                        phi_319_ = (_e132 > 0f);
                                     }
-                                    let _e137 = phi_341_;
-                                    phi_342_ = _e137;
-                                    phi_343_ = _e134;
+                                    let _e143 = phi_319_;
+                                    phi_320_ = _e143;
+                                    phi_321_ = _e140;
                                 }
-                                let _e139 = phi_342_;
-                                let _e141 = phi_343_;
-                                if _e141 {
-                                    phi_347_ = true;
+                                let _e145 = phi_320_;
+                                let _e147 = phi_321_;
+                                if _e147 {
+                                    phi_325_ = true;
                                 } else {
-                                    phi_347_ = _e139;
+                                    phi_325_ = _e145;
                                 }
-                                let _e143 = phi_347_;
-                                phi_348_ = _e143;
-                                phi_349_ = false;
+                                let _e149 = phi_325_;
+                                phi_326_ = _e149;
+                                phi_327_ = false;
                             } else {
-                                phi_348_ = bool();
-                                phi_349_ = true;
+                                phi_326_ = bool();
+                                phi_327_ = true;
                             }
-                            let _e145 = phi_348_;
-                            let _e147 = phi_349_;
-                            phi_350_ = _e145;
-                            phi_351_ = false;
-                            phi_352_ = _e147;
+                            let _e151 = phi_326_;
+                            let _e153 = phi_327_;
+                            phi_328_ = _e151;
+                            phi_329_ = false;
+                            phi_330_ = _e153;
                         } else {
-                            phi_350_ = bool();
-                            phi_351_ = true;
-                            phi_352_ = false;
+                            phi_328_ = bool();
+                            phi_329_ = true;
+                            phi_330_ = false;
                         }
-                        let _e149 = phi_350_;
-                        let _e151 = phi_351_;
-                        let _e153 = phi_352_;
-                        phi_353_ = _e149;
-                        phi_354_ = _e151;
-                        phi_355_ = _e153;
+                        let _e155 = phi_328_;
+                        let _e157 = phi_329_;
+                        let _e159 = phi_330_;
+                        phi_331_ = _e155;
+                        phi_332_ = _e157;
+                        phi_333_ = _e159;
                     } else {
-                        phi_353_ = bool();
-                        phi_354_ = true;
-                        phi_355_ = false;
+                        phi_331_ = bool();
+                        phi_332_ = true;
+                        phi_333_ = false;
                     }
-                    let _e155 = phi_353_;
-                    let _e157 = phi_354_;
-                    let _e159 = phi_355_;
-                    phi_356_ = _e155;
-                    phi_357_ = _e157;
-                    phi_358_ = _e159;
+                    let _e161 = phi_331_;
+                    let _e163 = phi_332_;
+                    let _e165 = phi_333_;
+                    phi_334_ = _e161;
+                    phi_335_ = _e163;
+                    phi_336_ = _e165;
                 } else {
-                    phi_356_ = bool();
-                    phi_357_ = true;
-                    phi_358_ = false;
+                    phi_334_ = bool();
+                    phi_335_ = true;
+                    phi_336_ = false;
                 }
-                let _e161 = phi_356_;
-                let _e163 = phi_357_;
-                let _e165 = phi_358_;
-                phi_359_ = _e161;
-                phi_360_ = _e163;
-                phi_361_ = _e165;
+                let _e167 = phi_334_;
+                let _e169 = phi_335_;
+                let _e171 = phi_336_;
+                phi_337_ = _e167;
+                phi_338_ = _e169;
+                phi_339_ = _e171;
             } else {
-                phi_359_ = bool();
-                phi_360_ = true;
-                phi_361_ = false;
+                phi_337_ = bool();
+                phi_338_ = true;
+                phi_339_ = false;
             }
-            let _e167 = phi_359_;
-            let _e169 = phi_360_;
-            let _e171 = phi_361_;
-            phi_362_ = _e167;
-            phi_363_ = _e169;
-            phi_364_ = _e171;
+            let _e173 = phi_337_;
+            let _e175 = phi_338_;
+            let _e177 = phi_339_;
+            phi_340_ = _e173;
+            phi_341_ = _e175;
+            phi_342_ = _e177;
         } else {
-            phi_362_ = bool();
-            phi_363_ = true;
-            phi_364_ = false;
+            phi_340_ = bool();
+            phi_341_ = true;
+            phi_342_ = false;
         }
-        let _e173 = phi_362_;
-        let _e175 = phi_363_;
-        let _e177 = phi_364_;
-        if _e175 {
-            phi_368_ = true;
-        } else {
-            phi_368_ = _e177;
-        }
-        let _e179 = phi_368_;
-        if _e179 {
-            phi_372_ = false;
-        } else {
-            phi_372_ = _e173;
-        }
-        let _e181 = phi_372_;
+        let _e179 = phi_340_;
+        let _e181 = phi_341_;
+        let _e183 = phi_342_;
         if _e181 {
-            let _e182 = (_e84 >= _e60);
-            if _e182 {
-                phi_2651_ = bool();
+            phi_346_ = true;
+        } else {
+            phi_346_ = _e183;
+        }
+        let _e185 = phi_346_;
+        if _e185 {
+            phi_350_ = false;
+        } else {
+            phi_350_ = _e179;
+        }
+        let _e187 = phi_350_;
+        if _e187 {
+            let _e188 = (_e87 >= _e60);
+            if _e188 {
+                phi_2641_ = bool();
             } else {
-                if (_e84 < _e60) {
+                if (_e87 < _e60) {
                 } else {
                     return;
                 }
-                let _e188 = nodes.member[(0u + _e84)].frame[0u];
-                let _e192 = nodes.member[(0u + _e84)].frame[1u];
-                let _e196 = nodes.member[(0u + _e84)].frame[2u];
-                let _e200 = nodes.member[(0u + _e84)].frame[0u];
-                let _e204 = nodes.member[(0u + _e84)].frame[1u];
-                let _e208 = nodes.member[(0u + _e84)].frame[2u];
-                let _e212 = nodes.member[(0u + _e84)].frame[3u];
-                let _e249 = core_intrinsics_maximum_number_nsz_f32_(abs(_e116.x), abs(_e116.y));
-                let _e250 = core_intrinsics_maximum_number_nsz_f32_(_e249, abs(_e116.z));
-                let _e251 = (_e250 * 0.0000000000009094947f);
-                if (abs(_e117.direction.x) < _e251) {
-                    phi_446_ = _e251;
+                let _e194 = nodes.member[(0u + _e87)].frame[0u];
+                let _e198 = nodes.member[(0u + _e87)].frame[1u];
+                let _e202 = nodes.member[(0u + _e87)].frame[2u];
+                let _e206 = nodes.member[(0u + _e87)].frame[0u];
+                let _e210 = nodes.member[(0u + _e87)].frame[1u];
+                let _e214 = nodes.member[(0u + _e87)].frame[2u];
+                let _e218 = nodes.member[(0u + _e87)].frame[3u];
+                let _e252 = core_intrinsics_maximum_number_nsz_f32_(abs(_e124), abs(_e125));
+                let _e253 = core_intrinsics_maximum_number_nsz_f32_(_e252, abs(_e126));
+                let _e254 = (_e253 * 0.0000000000009094947f);
+                if (abs(_e124) < _e254) {
+                    phi_420_ = _e254;
                 } else {
-                    phi_446_ = abs(_e117.direction.x);
+                    phi_420_ = abs(_e124);
                 }
-                let _e258 = phi_446_;
-                if (_e117.direction.x < 0f) {
-                    phi_453_ = (-1f / _e258);
+                let _e259 = phi_420_;
+                if (_e124 < 0f) {
+                    phi_427_ = (-1f / _e259);
                 } else {
-                    phi_453_ = (1f / _e258);
+                    phi_427_ = (1f / _e259);
                 }
-                let _e263 = phi_453_;
-                if (abs(_e117.direction.y) < _e251) {
-                    phi_461_ = _e251;
+                let _e264 = phi_427_;
+                if (abs(_e125) < _e254) {
+                    phi_434_ = _e254;
                 } else {
-                    phi_461_ = abs(_e117.direction.y);
+                    phi_434_ = abs(_e125);
                 }
-                let _e270 = phi_461_;
-                if (_e117.direction.y < 0f) {
-                    phi_468_ = (-1f / _e270);
+                let _e269 = phi_434_;
+                if (_e125 < 0f) {
+                    phi_441_ = (-1f / _e269);
                 } else {
-                    phi_468_ = (1f / _e270);
+                    phi_441_ = (1f / _e269);
                 }
-                let _e275 = phi_468_;
-                if (abs(_e117.direction.z) < _e251) {
-                    phi_476_ = _e251;
+                let _e274 = phi_441_;
+                if (abs(_e126) < _e254) {
+                    phi_448_ = _e254;
                 } else {
-                    phi_476_ = abs(_e117.direction.z);
+                    phi_448_ = abs(_e126);
                 }
-                let _e282 = phi_476_;
-                if (_e117.direction.z < 0f) {
-                    phi_483_ = (-1f / _e282);
+                let _e279 = phi_448_;
+                if (_e126 < 0f) {
+                    phi_455_ = (-1f / _e279);
                 } else {
-                    phi_483_ = (1f / _e282);
+                    phi_455_ = (1f / _e279);
                 }
-                let _e287 = phi_483_;
-                let _e291 = abs((bitcast<f32>(_e188) - _e105));
-                let _e292 = abs((bitcast<f32>(_e192) - _e107));
-                let _e293 = abs((bitcast<f32>(_e196) - _e109));
-                let _e297 = abs(((bitcast<f32>(_e200) + (bitcast<f32>((((_e212 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e105));
-                let _e298 = abs(((bitcast<f32>(_e204) + (bitcast<f32>((((_e212 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e107));
-                let _e299 = abs(((bitcast<f32>(_e208) + (bitcast<f32>((((_e212 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e109));
-                if (_e291 > _e297) {
-                    phi_500_ = _e291;
+                let _e284 = phi_455_;
+                let _e288 = abs((bitcast<f32>(_e194) - _e108));
+                let _e289 = abs((bitcast<f32>(_e198) - _e110));
+                let _e290 = abs((bitcast<f32>(_e202) - _e112));
+                let _e294 = abs(((bitcast<f32>(_e206) + (bitcast<f32>((((_e218 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e108));
+                let _e295 = abs(((bitcast<f32>(_e210) + (bitcast<f32>((((_e218 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e110));
+                let _e296 = abs(((bitcast<f32>(_e214) + (bitcast<f32>((((_e218 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e112));
+                if (_e288 > _e294) {
+                    phi_472_ = _e288;
                 } else {
-                    phi_500_ = _e297;
+                    phi_472_ = _e294;
                 }
-                let _e302 = phi_500_;
-                if (_e292 > _e298) {
-                    phi_505_ = _e292;
+                let _e299 = phi_472_;
+                if (_e289 > _e295) {
+                    phi_477_ = _e289;
                 } else {
-                    phi_505_ = _e298;
+                    phi_477_ = _e295;
                 }
-                let _e305 = phi_505_;
-                if (_e293 > _e299) {
-                    phi_510_ = _e293;
+                let _e302 = phi_477_;
+                if (_e290 > _e296) {
+                    phi_482_ = _e290;
                 } else {
-                    phi_510_ = _e299;
+                    phi_482_ = _e296;
                 }
-                let _e308 = phi_510_;
-                let _e309 = core_intrinsics_maximum_number_nsz_f32_(_e302, _e305);
-                let _e310 = core_intrinsics_maximum_number_nsz_f32_(_e309, _e308);
-                let _e314 = (_e310 * 0.0000019073486f);
-                let _e315 = (abs(_e263) * _e314);
-                let _e316 = (abs(_e275) * _e314);
-                let _e317 = (abs(_e287) * _e314);
-                let _e321 = (_e310 * 0.0000009536743f);
-                let _e322 = (abs(_e263) * _e321);
-                let _e323 = (abs(_e275) * _e321);
-                let _e324 = (abs(_e287) * _e321);
-                if (_e263 < 0f) {
-                    phi_531_ = 0u;
+                let _e305 = phi_482_;
+                let _e306 = core_intrinsics_maximum_number_nsz_f32_(_e299, _e302);
+                let _e307 = core_intrinsics_maximum_number_nsz_f32_(_e306, _e305);
+                let _e311 = (_e307 * 0.0000019073486f);
+                let _e312 = (abs(_e264) * _e311);
+                let _e313 = (abs(_e274) * _e311);
+                let _e314 = (abs(_e284) * _e311);
+                let _e318 = (_e307 * 0.0000009536743f);
+                let _e319 = (abs(_e264) * _e318);
+                let _e320 = (abs(_e274) * _e318);
+                let _e321 = (abs(_e284) * _e318);
+                if (_e264 < 0f) {
+                    phi_503_ = 0u;
                 } else {
-                    phi_531_ = 1u;
+                    phi_503_ = 1u;
                 }
-                let _e327 = phi_531_;
-                if (_e275 < 0f) {
-                    phi_536_ = 0u;
+                let _e324 = phi_503_;
+                if (_e274 < 0f) {
+                    phi_508_ = 0u;
                 } else {
-                    phi_536_ = 2u;
+                    phi_508_ = 2u;
                 }
-                let _e330 = phi_536_;
-                if (_e287 < 0f) {
-                    phi_541_ = 0u;
+                let _e327 = phi_508_;
+                if (_e284 < 0f) {
+                    phi_513_ = 0u;
                 } else {
-                    phi_541_ = 4u;
+                    phi_513_ = 4u;
                 }
-                let _e333 = phi_541_;
-                let _e335 = ((_e327 | _e330) | _e333);
-                let _e336 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e84, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e336.first[0], _e336.first[1], _e336.first[2], _e336.first[3], _e336.first[4], _e336.first[5], _e336.first[6], _e336.first[7], _e336.first[8], _e336.first[9], _e336.first[10], _e336.first[11], _e336.first[12], _e336.first[13], _e336.first[14], _e336.first[15], _e336.first[16], _e336.first[17], _e336.first[18], _e336.first[19], _e336.first[20], _e336.first[21], _e336.first[22], _e336.first[23], _e336.first[24], _e336.first[25], _e336.first[26], _e336.first[27], _e336.first[28], _e336.first[29], _e336.first[30], _e336.first[31]), array<u32, 32>(_e336.mask[0], _e336.mask[1], _e336.mask[2], _e336.mask[3], _e336.mask[4], _e336.mask[5], _e336.mask[6], _e336.mask[7], _e336.mask[8], _e336.mask[9], _e336.mask[10], _e336.mask[11], _e336.mask[12], _e336.mask[13], _e336.mask[14], _e336.mask[15], _e336.mask[16], _e336.mask[17], _e336.mask[18], _e336.mask[19], _e336.mask[20], _e336.mask[21], _e336.mask[22], _e336.mask[23], _e336.mask[24], _e336.mask[25], _e336.mask[26], _e336.mask[27], _e336.mask[28], _e336.mask[29], _e336.mask[30], _e336.mask[31]), _e336.len, _e336.group, _e336.group_mask);
-                let _e410 = local_1.group_mask;
-                if ((_e410 & 4278190080u) == 0u) {
-                    let _e414 = local_1.len;
-                    if (_e414 == 0u) {
-                        phi_655_ = false;
+                let _e330 = phi_513_;
+                let _e332 = ((_e324 | _e327) | _e330);
+                let _e333 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e87, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e333.first[0], _e333.first[1], _e333.first[2], _e333.first[3], _e333.first[4], _e333.first[5], _e333.first[6], _e333.first[7], _e333.first[8], _e333.first[9], _e333.first[10], _e333.first[11], _e333.first[12], _e333.first[13], _e333.first[14], _e333.first[15], _e333.first[16], _e333.first[17], _e333.first[18], _e333.first[19], _e333.first[20], _e333.first[21], _e333.first[22], _e333.first[23], _e333.first[24], _e333.first[25], _e333.first[26], _e333.first[27], _e333.first[28], _e333.first[29], _e333.first[30], _e333.first[31]), array<u32, 32>(_e333.mask[0], _e333.mask[1], _e333.mask[2], _e333.mask[3], _e333.mask[4], _e333.mask[5], _e333.mask[6], _e333.mask[7], _e333.mask[8], _e333.mask[9], _e333.mask[10], _e333.mask[11], _e333.mask[12], _e333.mask[13], _e333.mask[14], _e333.mask[15], _e333.mask[16], _e333.mask[17], _e333.mask[18], _e333.mask[19], _e333.mask[20], _e333.mask[21], _e333.mask[22], _e333.mask[23], _e333.mask[24], _e333.mask[25], _e333.mask[26], _e333.mask[27], _e333.mask[28], _e333.mask[29], _e333.mask[30], _e333.mask[31]), _e333.len, _e333.group, _e333.group_mask);
+                let _e407 = local_1.group_mask;
+                if ((_e407 & 4278190080u) == 0u) {
+                    let _e411 = local_1.len;
+                    if (_e411 == 0u) {
+                        phi_627_ = false;
                     } else {
+                        let _e415 = local_1.len;
+                        local_1.len = (_e415 - 1u);
                         let _e418 = local_1.len;
-                        local_1.len = (_e418 - 1u);
-                        let _e421 = local_1.len;
-                        if (_e421 < 32u) {
+                        if (_e418 < 32u) {
                         } else {
                             return;
                         }
-                        let _e426 = local_1.first[(0u + _e421)];
-                        local_1.group = _e426;
-                        let _e429 = local_1.len;
-                        if (_e429 < 32u) {
+                        let _e423 = local_1.first[(0u + _e418)];
+                        local_1.group = _e423;
+                        let _e426 = local_1.len;
+                        if (_e426 < 32u) {
                         } else {
                             return;
                         }
-                        let _e434 = local_1.mask[(0u + _e429)];
-                        local_1.group_mask = _e434;
-                        phi_655_ = true;
+                        let _e431 = local_1.mask[(0u + _e426)];
+                        local_1.group_mask = _e431;
+                        phi_627_ = true;
                     }
-                    let _e437 = phi_655_;
-                    phi_656_ = _e437;
+                    let _e434 = phi_627_;
+                    phi_628_ = _e434;
                 } else {
-                    phi_656_ = true;
+                    phi_628_ = true;
                 }
-                let _e439 = phi_656_;
-                if _e439 {
-                    let _e441 = local_1.group_mask;
-                    let _e447 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e441)), 32u, (_e441 == 0u)));
-                    let _e451 = local_1.group_mask;
-                    let _e465 = local_1.group_mask;
-                    local_1.group_mask = (_e465 & ~((1u << bitcast<u32>((_e447 & 31u)))));
-                    let _e468 = local_1.group;
-                    phi_687_ = (_e468 + countOneBits(((_e451 & ~((4294967295u << bitcast<u32>((((_e447 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e436 = phi_628_;
+                if _e436 {
+                    let _e438 = local_1.group_mask;
+                    let _e444 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e438)), 32u, (_e438 == 0u)));
+                    let _e448 = local_1.group_mask;
+                    let _e462 = local_1.group_mask;
+                    local_1.group_mask = (_e462 & ~((1u << bitcast<u32>((_e444 & 31u)))));
+                    let _e465 = local_1.group;
+                    phi_659_ = (_e465 + countOneBits(((_e448 & ~((4294967295u << bitcast<u32>((((_e444 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_687_ = 4294967295u;
+                    phi_659_ = 4294967295u;
                 }
-                let _e471 = phi_687_;
-                phi_689_ = _e471;
+                let _e468 = phi_659_;
+                phi_661_ = _e468;
                 loop {
-                    let _e473 = phi_689_;
-                    if (_e473 != 4294967295u) {
-                        if (_e473 < _e60) {
+                    let _e470 = phi_661_;
+                    if (_e470 != 4294967295u) {
+                        if (_e470 < _e60) {
                         } else {
                             return;
                         }
-                        let _e480 = nodes.member[(0u + _e473)].frame[3u];
-                        let _e505 = (bitcast<f32>((((_e480 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e263);
-                        let _e506 = (bitcast<f32>((((_e480 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e275);
-                        let _e507 = (bitcast<f32>((((_e480 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e287);
-                        let _e510 = nodes.member[(0u + _e473)].frame[0u];
-                        let _e514 = nodes.member[(0u + _e473)].frame[1u];
-                        let _e518 = nodes.member[(0u + _e473)].frame[2u];
-                        let _e523 = ((bitcast<f32>(_e510) - _e105) * _e263);
-                        let _e524 = ((bitcast<f32>(_e514) - _e107) * _e275);
-                        let _e525 = ((bitcast<f32>(_e518) - _e109) * _e287);
-                        let _e533 = nodes.member[(0u + _e473)].x;
-                        if (_e263 < 0f) {
-                            let _e544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e533.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e550 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e544.unnamed.root, _e533.w), _e544.unnamed_1);
-                            let _e556 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e550.unnamed, lt_bvh_traverse_Tree(_e533.x, _e550.unnamed_1.first_primitive));
-                            phi_770_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e556.unnamed, lt_bvh_traverse_Tree(_e556.unnamed_1.root, _e533.y));
+                        let _e477 = nodes.member[(0u + _e470)].frame[3u];
+                        let _e502 = (bitcast<f32>((((_e477 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e264);
+                        let _e503 = (bitcast<f32>((((_e477 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e274);
+                        let _e504 = (bitcast<f32>((((_e477 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
+                        let _e507 = nodes.member[(0u + _e470)].frame[0u];
+                        let _e511 = nodes.member[(0u + _e470)].frame[1u];
+                        let _e515 = nodes.member[(0u + _e470)].frame[2u];
+                        let _e520 = ((bitcast<f32>(_e507) - _e108) * _e264);
+                        let _e521 = ((bitcast<f32>(_e511) - _e110) * _e274);
+                        let _e522 = ((bitcast<f32>(_e515) - _e112) * _e284);
+                        let _e530 = nodes.member[(0u + _e470)].x;
+                        if (_e264 < 0f) {
+                            let _e541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e530.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e547 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e541.unnamed.root, _e530.w), _e541.unnamed_1);
+                            let _e553 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e547.unnamed, lt_bvh_traverse_Tree(_e530.x, _e547.unnamed_1.first_primitive));
+                            phi_742_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e553.unnamed, lt_bvh_traverse_Tree(_e553.unnamed_1.root, _e530.y));
                         } else {
-                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e533.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e572.unnamed.root, _e533.y), _e572.unnamed_1);
-                            let _e584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e533.z, _e578.unnamed_1.first_primitive));
-                            phi_770_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e584.unnamed, lt_bvh_traverse_Tree(_e584.unnamed_1.root, _e533.w));
+                            let _e569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e530.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e569.unnamed.root, _e530.y), _e569.unnamed_1);
+                            let _e581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e575.unnamed, lt_bvh_traverse_Tree(_e530.z, _e575.unnamed_1.first_primitive));
+                            phi_742_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e581.unnamed, lt_bvh_traverse_Tree(_e581.unnamed_1.root, _e530.w));
                         }
-                        let _e592 = phi_770_;
-                        let _e602 = nodes.member[(0u + _e473)].y;
-                        if (_e275 < 0f) {
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e613.unnamed.root, _e602.w), _e613.unnamed_1);
-                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_bvh_traverse_Tree(_e602.x, _e619.unnamed_1.first_primitive));
-                            phi_797_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e625.unnamed_1.root, _e602.y));
+                        let _e589 = phi_742_;
+                        let _e599 = nodes.member[(0u + _e470)].y;
+                        if (_e274 < 0f) {
+                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e610.unnamed.root, _e599.w), _e610.unnamed_1);
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_bvh_traverse_Tree(_e599.x, _e616.unnamed_1.first_primitive));
+                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_bvh_traverse_Tree(_e622.unnamed_1.root, _e599.y));
                         } else {
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e602.y), _e641.unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e602.z, _e647.unnamed_1.first_primitive));
-                            phi_797_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e602.w));
+                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.unnamed.root, _e599.y), _e638.unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e599.z, _e644.unnamed_1.first_primitive));
+                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e650.unnamed_1.root, _e599.w));
                         }
-                        let _e661 = phi_797_;
-                        let _e671 = nodes.member[(0u + _e473)].z;
-                        if (_e287 < 0f) {
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e682.unnamed.root, _e671.w), _e682.unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e671.x, _e688.unnamed_1.first_primitive));
-                            phi_824_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e694.unnamed_1.root, _e671.y));
+                        let _e658 = phi_769_;
+                        let _e668 = nodes.member[(0u + _e470)].z;
+                        if (_e284 < 0f) {
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.unnamed.root, _e668.w), _e679.unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_bvh_traverse_Tree(_e668.x, _e685.unnamed_1.first_primitive));
+                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e691.unnamed_1.root, _e668.y));
                         } else {
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e671.y), _e710.unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e671.z, _e716.unnamed_1.first_primitive));
-                            phi_824_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e671.w));
+                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.unnamed.root, _e668.y), _e707.unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e668.z, _e713.unnamed_1.first_primitive));
+                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e719.unnamed_1.root, _e668.w));
                         }
-                        let _e730 = phi_824_;
-                        phi_830_ = 0u;
-                        phi_833_ = 0u;
+                        let _e727 = phi_796_;
+                        phi_802_ = 0u;
+                        phi_805_ = 0u;
                         loop {
-                            let _e740 = phi_830_;
-                            let _e742 = phi_833_;
-                            local_2 = _e742;
-                            local_3 = _e742;
-                            local_4 = _e742;
-                            let _e743 = (_e740 < 8u);
-                            if _e743 {
-                                let _e745 = (_e740 >> bitcast<u32>(2i));
-                                let _e746 = (_e740 & 3u);
-                                if (_e745 == 0u) {
-                                    phi_847_ = _e592.unnamed.root;
+                            let _e737 = phi_802_;
+                            let _e739 = phi_805_;
+                            local_2 = _e739;
+                            local_3 = _e739;
+                            local_4 = _e739;
+                            let _e740 = (_e737 < 8u);
+                            if _e740 {
+                                let _e742 = (_e737 >> bitcast<u32>(2i));
+                                let _e743 = (_e737 & 3u);
+                                if (_e742 == 0u) {
+                                    phi_819_ = _e589.unnamed.root;
                                 } else {
-                                    phi_847_ = _e592.unnamed.first_primitive;
+                                    phi_819_ = _e589.unnamed.first_primitive;
                                 }
-                                let _e749 = phi_847_;
-                                if (_e745 == 0u) {
-                                    phi_857_ = _e661.unnamed.root;
+                                let _e746 = phi_819_;
+                                if (_e742 == 0u) {
+                                    phi_829_ = _e658.unnamed.root;
                                 } else {
-                                    phi_857_ = _e661.unnamed.first_primitive;
+                                    phi_829_ = _e658.unnamed.first_primitive;
                                 }
-                                let _e758 = phi_857_;
-                                if (_e745 == 0u) {
-                                    phi_867_ = _e730.unnamed.root;
+                                let _e755 = phi_829_;
+                                if (_e742 == 0u) {
+                                    phi_839_ = _e727.unnamed.root;
                                 } else {
-                                    phi_867_ = _e730.unnamed.first_primitive;
+                                    phi_839_ = _e727.unnamed.first_primitive;
                                 }
-                                let _e767 = phi_867_;
-                                let _e780 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e749 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e505) + (_e523 - _e315)), ((f32(((_e758 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e506) + (_e524 - _e316)));
-                                let _e781 = core_intrinsics_maximum_number_nsz_f32_(_e780, ((f32(((_e767 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e507) + (_e525 - _e317)));
-                                if (_e745 == 0u) {
-                                    phi_885_ = _e592.unnamed_1.root;
+                                let _e764 = phi_839_;
+                                let _e777 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e746 >> bitcast<u32>(((_e743 * 8u) & 31u))) & 255u)) * _e502) + (_e520 - _e312)), ((f32(((_e755 >> bitcast<u32>(((_e743 * 8u) & 31u))) & 255u)) * _e503) + (_e521 - _e313)));
+                                let _e778 = core_intrinsics_maximum_number_nsz_f32_(_e777, ((f32(((_e764 >> bitcast<u32>(((_e743 * 8u) & 31u))) & 255u)) * _e504) + (_e522 - _e314)));
+                                if (_e742 == 0u) {
+                                    phi_857_ = _e589.unnamed_1.root;
                                 } else {
-                                    phi_885_ = _e592.unnamed_1.first_primitive;
+                                    phi_857_ = _e589.unnamed_1.first_primitive;
                                 }
-                                let _e784 = phi_885_;
-                                if (_e745 == 0u) {
-                                    phi_895_ = _e661.unnamed_1.root;
+                                let _e781 = phi_857_;
+                                if (_e742 == 0u) {
+                                    phi_867_ = _e658.unnamed_1.root;
                                 } else {
-                                    phi_895_ = _e661.unnamed_1.first_primitive;
+                                    phi_867_ = _e658.unnamed_1.first_primitive;
                                 }
-                                let _e793 = phi_895_;
-                                if (_e745 == 0u) {
-                                    phi_905_ = _e730.unnamed_1.root;
+                                let _e790 = phi_867_;
+                                if (_e742 == 0u) {
+                                    phi_877_ = _e727.unnamed_1.root;
                                 } else {
-                                    phi_905_ = _e730.unnamed_1.first_primitive;
+                                    phi_877_ = _e727.unnamed_1.first_primitive;
                                 }
-                                let _e802 = phi_905_;
-                                let _e815 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e784 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e505) + (_e523 + _e315)), ((f32(((_e793 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e506) + (_e524 + _e316)));
-                                let _e816 = core_intrinsics_minimum_number_nsz_f32_(_e815, ((f32(((_e802 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e507) + (_e525 + _e317)));
-                                if (_e781 <= _e816) {
-                                    if (_e781 <= _e115) {
-                                        if (_e816 >= 0f) {
-                                            if (_e745 == 0u) {
-                                                let _e823 = nodes.member[(0u + _e473)].links[2u];
-                                                phi_941_ = _e823;
+                                let _e799 = phi_877_;
+                                let _e812 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e781 >> bitcast<u32>(((_e743 * 8u) & 31u))) & 255u)) * _e502) + (_e520 + _e312)), ((f32(((_e790 >> bitcast<u32>(((_e743 * 8u) & 31u))) & 255u)) * _e503) + (_e521 + _e313)));
+                                let _e813 = core_intrinsics_minimum_number_nsz_f32_(_e812, ((f32(((_e799 >> bitcast<u32>(((_e743 * 8u) & 31u))) & 255u)) * _e504) + (_e522 + _e314)));
+                                if (_e778 <= _e813) {
+                                    if (_e778 <= _e116) {
+                                        if (_e813 >= 0f) {
+                                            if (_e742 == 0u) {
+                                                let _e820 = nodes.member[(0u + _e470)].links[2u];
+                                                phi_913_ = _e820;
                                             } else {
-                                                let _e826 = nodes.member[(0u + _e473)].links[3u];
-                                                phi_941_ = _e826;
+                                                let _e823 = nodes.member[(0u + _e470)].links[3u];
+                                                phi_913_ = _e823;
                                             }
-                                            let _e828 = phi_941_;
-                                            let _e833 = ((_e828 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u);
-                                            let _e834 = (_e833 & 31u);
-                                            if (_e834 >= 24u) {
-                                                phi_954_ = (24u + ((_e834 - 24u) ^ _e335));
+                                            let _e825 = phi_913_;
+                                            let _e830 = ((_e825 >> bitcast<u32>(((_e743 * 8u) & 31u))) & 255u);
+                                            let _e831 = (_e830 & 31u);
+                                            if (_e831 >= 24u) {
+                                                phi_926_ = (24u + ((_e831 - 24u) ^ _e332));
                                             } else {
-                                                phi_954_ = _e834;
+                                                phi_926_ = _e831;
                                             }
-                                            let _e840 = phi_954_;
-                                            phi_959_ = (_e742 | ((_e833 >> bitcast<u32>(5i)) << bitcast<u32>((_e840 & 31u))));
+                                            let _e837 = phi_926_;
+                                            phi_931_ = (_e739 | ((_e830 >> bitcast<u32>(5i)) << bitcast<u32>((_e837 & 31u))));
                                         } else {
-                                            phi_959_ = _e742;
+                                            phi_931_ = _e739;
                                         }
-                                        let _e848 = phi_959_;
-                                        phi_960_ = _e848;
+                                        let _e845 = phi_931_;
+                                        phi_932_ = _e845;
                                     } else {
-                                        phi_960_ = _e742;
+                                        phi_932_ = _e739;
                                     }
-                                    let _e850 = phi_960_;
-                                    phi_961_ = _e850;
+                                    let _e847 = phi_932_;
+                                    phi_933_ = _e847;
                                 } else {
-                                    phi_961_ = _e742;
+                                    phi_933_ = _e739;
                                 }
-                                let _e852 = phi_961_;
-                                phi_831_ = (_e740 + 1u);
-                                phi_834_ = _e852;
+                                let _e849 = phi_933_;
+                                phi_803_ = (_e737 + 1u);
+                                phi_806_ = _e849;
                             } else {
-                                phi_831_ = u32();
-                                phi_834_ = u32();
+                                phi_803_ = u32();
+                                phi_806_ = u32();
                             }
-                            let _e855 = phi_831_;
-                            let _e857 = phi_834_;
+                            let _e852 = phi_803_;
+                            let _e854 = phi_806_;
                             continue;
                             continuing {
-                                phi_830_ = _e855;
-                                phi_833_ = _e857;
-                                break if !(_e743);
+                                phi_802_ = _e852;
+                                phi_805_ = _e854;
+                                break if !(_e740);
                             }
                         }
-                        let _e861 = nodes.member[(0u + _e473)].links[0u];
-                        let _e865 = nodes.member[(0u + _e473)].frame[3u];
-                        let _e869 = local_2;
-                        if ((_e869 & 4278190080u) == 0u) {
+                        let _e858 = nodes.member[(0u + _e470)].links[0u];
+                        let _e862 = nodes.member[(0u + _e470)].frame[3u];
+                        let _e866 = local_2;
+                        if ((_e866 & 4278190080u) == 0u) {
                         } else {
-                            let _e873 = local_1.group_mask;
-                            if ((_e873 & 4278190080u) == 0u) {
+                            let _e870 = local_1.group_mask;
+                            if ((_e870 & 4278190080u) == 0u) {
                             } else {
-                                let _e877 = local_1.len;
-                                if (_e877 < 32u) {
-                                    let _e880 = local_1.group;
-                                    let _e882 = local_1.len;
-                                    if (_e882 < 32u) {
+                                let _e874 = local_1.len;
+                                if (_e874 < 32u) {
+                                    let _e877 = local_1.group;
+                                    let _e879 = local_1.len;
+                                    if (_e879 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e882)] = _e880;
-                                    let _e888 = local_1.group_mask;
-                                    let _e890 = local_1.len;
-                                    if (_e890 < 32u) {
+                                    local_1.first[(0u + _e879)] = _e877;
+                                    let _e885 = local_1.group_mask;
+                                    let _e887 = local_1.len;
+                                    if (_e887 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e890)] = _e888;
-                                    let _e897 = local_1.len;
-                                    local_1.len = (_e897 + 1u);
+                                    local_1.mask[(0u + _e887)] = _e885;
+                                    let _e894 = local_1.len;
+                                    local_1.len = (_e894 + 1u);
                                 }
                             }
-                            local_1.group = (_e84 + _e861);
-                            let _e901 = local_3;
-                            local_1.group_mask = ((_e901 & 4278190080u) | (_e865 >> bitcast<u32>(24i)));
+                            local_1.group = (_e87 + _e858);
+                            let _e898 = local_3;
+                            local_1.group_mask = ((_e898 & 4278190080u) | (_e862 >> bitcast<u32>(24i)));
                         }
-                        let _e906 = local_4;
-                        phi_1019_ = (_e906 & 16777215u);
+                        let _e903 = local_4;
+                        phi_991_ = (_e903 & 16777215u);
                         loop {
-                            let _e909 = phi_1019_;
-                            let _e910 = (_e909 == 0u);
-                            local_10 = _e910;
-                            local_17 = _e910;
-                            if _e910 {
-                                phi_1020_ = u32();
-                                phi_2565_ = false;
+                            let _e906 = phi_991_;
+                            let _e907 = (_e906 == 0u);
+                            local_10 = _e907;
+                            local_17 = _e907;
+                            if _e907 {
+                                phi_992_ = u32();
+                                phi_2555_ = false;
                             } else {
-                                let _e913 = nodes.member[(0u + _e473)].links[1u];
-                                let _e917 = (_e913 + select(firstTrailingBit(_e909), 32u, (_e909 == 0u)));
-                                if (_e917 < arrayLength((&instances.member))) {
+                                let _e910 = nodes.member[(0u + _e470)].links[1u];
+                                let _e914 = (_e910 + select(firstTrailingBit(_e906), 32u, (_e906 == 0u)));
+                                if (_e914 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e924 = instances.member[(0u + _e917)].low_world;
-                                let _e926 = instances.member[(0u + _e917)].high_world;
-                                let _e933 = ((_e924.x - _e105) * _e263);
-                                let _e934 = ((_e924.y - _e107) * _e275);
-                                let _e935 = ((_e924.z - _e109) * _e287);
-                                let _e942 = ((_e926.x - _e105) * _e263);
-                                let _e943 = ((_e926.y - _e107) * _e275);
-                                let _e944 = ((_e926.z - _e109) * _e287);
-                                if (_e933 < _e942) {
-                                    phi_1069_ = _e933;
+                                let _e921 = instances.member[(0u + _e914)].low_world;
+                                let _e923 = instances.member[(0u + _e914)].high_world;
+                                let _e930 = ((_e921.x - _e108) * _e264);
+                                let _e931 = ((_e921.y - _e110) * _e274);
+                                let _e932 = ((_e921.z - _e112) * _e284);
+                                let _e939 = ((_e923.x - _e108) * _e264);
+                                let _e940 = ((_e923.y - _e110) * _e274);
+                                let _e941 = ((_e923.z - _e112) * _e284);
+                                if (_e930 < _e939) {
+                                    phi_1041_ = _e930;
                                 } else {
-                                    phi_1069_ = _e942;
+                                    phi_1041_ = _e939;
                                 }
-                                let _e947 = phi_1069_;
-                                if (_e934 < _e943) {
-                                    phi_1074_ = _e934;
+                                let _e944 = phi_1041_;
+                                if (_e931 < _e940) {
+                                    phi_1046_ = _e931;
                                 } else {
-                                    phi_1074_ = _e943;
+                                    phi_1046_ = _e940;
                                 }
-                                let _e950 = phi_1074_;
-                                if (_e935 < _e944) {
-                                    phi_1079_ = _e935;
+                                let _e947 = phi_1046_;
+                                if (_e932 < _e941) {
+                                    phi_1051_ = _e932;
                                 } else {
-                                    phi_1079_ = _e944;
+                                    phi_1051_ = _e941;
                                 }
-                                let _e953 = phi_1079_;
-                                if (_e933 > _e942) {
-                                    phi_1087_ = _e933;
+                                let _e950 = phi_1051_;
+                                if (_e930 > _e939) {
+                                    phi_1059_ = _e930;
                                 } else {
-                                    phi_1087_ = _e942;
+                                    phi_1059_ = _e939;
                                 }
-                                let _e959 = phi_1087_;
-                                if (_e934 > _e943) {
-                                    phi_1092_ = _e934;
+                                let _e956 = phi_1059_;
+                                if (_e931 > _e940) {
+                                    phi_1064_ = _e931;
                                 } else {
-                                    phi_1092_ = _e943;
+                                    phi_1064_ = _e940;
                                 }
-                                let _e962 = phi_1092_;
-                                if (_e935 > _e944) {
-                                    phi_1097_ = _e935;
+                                let _e959 = phi_1064_;
+                                if (_e932 > _e941) {
+                                    phi_1069_ = _e932;
                                 } else {
-                                    phi_1097_ = _e944;
+                                    phi_1069_ = _e941;
                                 }
-                                let _e965 = phi_1097_;
-                                let _e969 = core_intrinsics_maximum_number_nsz_f32_((_e947 - _e322), (_e950 - _e323));
-                                let _e970 = core_intrinsics_maximum_number_nsz_f32_(_e969, (_e953 - _e324));
-                                let _e971 = core_intrinsics_minimum_number_nsz_f32_((_e959 + _e322), (_e962 + _e323));
-                                let _e972 = core_intrinsics_minimum_number_nsz_f32_(_e971, (_e965 + _e324));
-                                if (_e970 <= _e972) {
-                                    if (_e970 <= _e115) {
-                                        if (_e972 >= 0f) {
-                                            let _e978 = instances.member[(0u + _e917)].world_to_object[0u];
-                                            let _e989 = ((((_e978.x * _e105) + (_e978.y * _e107)) + (_e978.z * _e109)) + (_e978.w * 1f));
-                                            let _e991 = instances.member[(0u + _e917)].world_to_object[1u];
-                                            let _e1002 = ((((_e991.x * _e105) + (_e991.y * _e107)) + (_e991.z * _e109)) + (_e991.w * 1f));
-                                            let _e1004 = instances.member[(0u + _e917)].world_to_object[2u];
-                                            let _e1015 = ((((_e1004.x * _e105) + (_e1004.y * _e107)) + (_e1004.z * _e109)) + (_e1004.w * 1f));
-                                            let _e1021 = instances.member[(0u + _e917)].world_to_object[0u];
-                                            let _e1032 = ((((_e1021.x * _e116.x) + (_e1021.y * _e116.y)) + (_e1021.z * _e116.z)) + (_e1021.w * 0f));
-                                            let _e1034 = instances.member[(0u + _e917)].world_to_object[1u];
-                                            let _e1045 = ((((_e1034.x * _e116.x) + (_e1034.y * _e116.y)) + (_e1034.z * _e116.z)) + (_e1034.w * 0f));
-                                            let _e1047 = instances.member[(0u + _e917)].world_to_object[2u];
-                                            let _e1058 = ((((_e1047.x * _e116.x) + (_e1047.y * _e116.y)) + (_e1047.z * _e116.z)) + (_e1047.w * 0f));
-                                            let _e1061 = instances.member[(0u + _e917)].root;
-                                            let _e1063 = instances.member[(0u + _e917)].first_triangle;
-                                            let _e1067 = abs(_e1032);
-                                            let _e1068 = abs(_e1045);
-                                            let _e1069 = abs(_e1058);
-                                            if (abs(_e989) < 1000000000000000f) {
-                                                if (abs(_e1002) < 1000000000000000f) {
-                                                    if (abs(_e1015) < 1000000000000000f) {
-                                                        if (_e1067 < 1000000000000000f) {
-                                                            if (_e1068 < 1000000000000000f) {
-                                                                if (_e1069 < 1000000000000000f) {
-                                                                    if (_e1067 > 0f) {
-                                                                        phi_1245_ = bool();
-                                                                        phi_1246_ = true;
+                                let _e962 = phi_1069_;
+                                let _e966 = core_intrinsics_maximum_number_nsz_f32_((_e944 - _e319), (_e947 - _e320));
+                                let _e967 = core_intrinsics_maximum_number_nsz_f32_(_e966, (_e950 - _e321));
+                                let _e968 = core_intrinsics_minimum_number_nsz_f32_((_e956 + _e319), (_e959 + _e320));
+                                let _e969 = core_intrinsics_minimum_number_nsz_f32_(_e968, (_e962 + _e321));
+                                if (_e967 <= _e969) {
+                                    if (_e967 <= _e116) {
+                                        if (_e969 >= 0f) {
+                                            let _e975 = instances.member[(0u + _e914)].world_to_object[0u];
+                                            let _e986 = ((((_e975.x * _e108) + (_e975.y * _e110)) + (_e975.z * _e112)) + (_e975.w * 1f));
+                                            let _e988 = instances.member[(0u + _e914)].world_to_object[1u];
+                                            let _e999 = ((((_e988.x * _e108) + (_e988.y * _e110)) + (_e988.z * _e112)) + (_e988.w * 1f));
+                                            let _e1001 = instances.member[(0u + _e914)].world_to_object[2u];
+                                            let _e1012 = ((((_e1001.x * _e108) + (_e1001.y * _e110)) + (_e1001.z * _e112)) + (_e1001.w * 1f));
+                                            let _e1015 = instances.member[(0u + _e914)].world_to_object[0u];
+                                            let _e1026 = ((((_e1015.x * _e124) + (_e1015.y * _e125)) + (_e1015.z * _e126)) + (_e1015.w * 0f));
+                                            let _e1028 = instances.member[(0u + _e914)].world_to_object[1u];
+                                            let _e1039 = ((((_e1028.x * _e124) + (_e1028.y * _e125)) + (_e1028.z * _e126)) + (_e1028.w * 0f));
+                                            let _e1041 = instances.member[(0u + _e914)].world_to_object[2u];
+                                            let _e1052 = ((((_e1041.x * _e124) + (_e1041.y * _e125)) + (_e1041.z * _e126)) + (_e1041.w * 0f));
+                                            let _e1055 = instances.member[(0u + _e914)].root;
+                                            let _e1057 = instances.member[(0u + _e914)].first_triangle;
+                                            let _e1061 = abs(_e1026);
+                                            let _e1062 = abs(_e1039);
+                                            let _e1063 = abs(_e1052);
+                                            if (abs(_e986) < 1000000000000000f) {
+                                                if (abs(_e999) < 1000000000000000f) {
+                                                    if (abs(_e1012) < 1000000000000000f) {
+                                                        if (_e1061 < 1000000000000000f) {
+                                                            if (_e1062 < 1000000000000000f) {
+                                                                if (_e1063 < 1000000000000000f) {
+                                                                    if (_e1061 > 0f) {
+                                                                        phi_1214_ = bool();
+                                                                        phi_1215_ = true;
                                                                     } else {
-                                                                        let _e1077 = (_e1068 > 0f);
-                                                                        if _e1077 {
-                                                                            phi_1244_ = bool();
+                                                                        let _e1071 = (_e1062 > 0f);
+                                                                        if _e1071 {
+                                                                            phi_1213_ = bool();
                                                                         } else {
-                                                                            phi_1244_ = (_e1069 > 0f);
+                                                                            phi_1213_ = (_e1063 > 0f);
                                                                         }
-                                                                        let _e1080 = phi_1244_;
-                                                                        phi_1245_ = _e1080;
-                                                                        phi_1246_ = _e1077;
+                                                                        let _e1074 = phi_1213_;
+                                                                        phi_1214_ = _e1074;
+                                                                        phi_1215_ = _e1071;
                                                                     }
-                                                                    let _e1082 = phi_1245_;
-                                                                    let _e1084 = phi_1246_;
-                                                                    if _e1084 {
-                                                                        phi_1250_ = true;
+                                                                    let _e1076 = phi_1214_;
+                                                                    let _e1078 = phi_1215_;
+                                                                    if _e1078 {
+                                                                        phi_1219_ = true;
                                                                     } else {
-                                                                        phi_1250_ = _e1082;
+                                                                        phi_1219_ = _e1076;
                                                                     }
-                                                                    let _e1086 = phi_1250_;
-                                                                    phi_1251_ = _e1086;
-                                                                    phi_1252_ = false;
+                                                                    let _e1080 = phi_1219_;
+                                                                    phi_1220_ = _e1080;
+                                                                    phi_1221_ = false;
                                                                 } else {
-                                                                    phi_1251_ = bool();
-                                                                    phi_1252_ = true;
+                                                                    phi_1220_ = bool();
+                                                                    phi_1221_ = true;
                                                                 }
-                                                                let _e1088 = phi_1251_;
-                                                                let _e1090 = phi_1252_;
-                                                                phi_1253_ = _e1088;
-                                                                phi_1254_ = false;
-                                                                phi_1255_ = _e1090;
+                                                                let _e1082 = phi_1220_;
+                                                                let _e1084 = phi_1221_;
+                                                                phi_1222_ = _e1082;
+                                                                phi_1223_ = false;
+                                                                phi_1224_ = _e1084;
                                                             } else {
-                                                                phi_1253_ = bool();
-                                                                phi_1254_ = true;
-                                                                phi_1255_ = false;
+                                                                phi_1222_ = bool();
+                                                                phi_1223_ = true;
+                                                                phi_1224_ = false;
                                                             }
-                                                            let _e1092 = phi_1253_;
-                                                            let _e1094 = phi_1254_;
-                                                            let _e1096 = phi_1255_;
-                                                            phi_1256_ = _e1092;
-                                                            phi_1257_ = _e1094;
-                                                            phi_1258_ = _e1096;
+                                                            let _e1086 = phi_1222_;
+                                                            let _e1088 = phi_1223_;
+                                                            let _e1090 = phi_1224_;
+                                                            phi_1225_ = _e1086;
+                                                            phi_1226_ = _e1088;
+                                                            phi_1227_ = _e1090;
                                                         } else {
-                                                            phi_1256_ = bool();
-                                                            phi_1257_ = true;
-                                                            phi_1258_ = false;
+                                                            phi_1225_ = bool();
+                                                            phi_1226_ = true;
+                                                            phi_1227_ = false;
                                                         }
-                                                        let _e1098 = phi_1256_;
-                                                        let _e1100 = phi_1257_;
-                                                        let _e1102 = phi_1258_;
-                                                        phi_1259_ = _e1098;
-                                                        phi_1260_ = _e1100;
-                                                        phi_1261_ = _e1102;
+                                                        let _e1092 = phi_1225_;
+                                                        let _e1094 = phi_1226_;
+                                                        let _e1096 = phi_1227_;
+                                                        phi_1228_ = _e1092;
+                                                        phi_1229_ = _e1094;
+                                                        phi_1230_ = _e1096;
                                                     } else {
-                                                        phi_1259_ = bool();
-                                                        phi_1260_ = true;
-                                                        phi_1261_ = false;
+                                                        phi_1228_ = bool();
+                                                        phi_1229_ = true;
+                                                        phi_1230_ = false;
                                                     }
-                                                    let _e1104 = phi_1259_;
-                                                    let _e1106 = phi_1260_;
-                                                    let _e1108 = phi_1261_;
-                                                    phi_1262_ = _e1104;
-                                                    phi_1263_ = _e1106;
-                                                    phi_1264_ = _e1108;
+                                                    let _e1098 = phi_1228_;
+                                                    let _e1100 = phi_1229_;
+                                                    let _e1102 = phi_1230_;
+                                                    phi_1231_ = _e1098;
+                                                    phi_1232_ = _e1100;
+                                                    phi_1233_ = _e1102;
                                                 } else {
-                                                    phi_1262_ = bool();
-                                                    phi_1263_ = true;
-                                                    phi_1264_ = false;
+                                                    phi_1231_ = bool();
+                                                    phi_1232_ = true;
+                                                    phi_1233_ = false;
                                                 }
-                                                let _e1110 = phi_1262_;
-                                                let _e1112 = phi_1263_;
-                                                let _e1114 = phi_1264_;
-                                                phi_1265_ = _e1110;
-                                                phi_1266_ = _e1112;
-                                                phi_1267_ = _e1114;
+                                                let _e1104 = phi_1231_;
+                                                let _e1106 = phi_1232_;
+                                                let _e1108 = phi_1233_;
+                                                phi_1234_ = _e1104;
+                                                phi_1235_ = _e1106;
+                                                phi_1236_ = _e1108;
                                             } else {
-                                                phi_1265_ = bool();
-                                                phi_1266_ = true;
-                                                phi_1267_ = false;
+                                                phi_1234_ = bool();
+                                                phi_1235_ = true;
+                                                phi_1236_ = false;
                                             }
-                                            let _e1116 = phi_1265_;
-                                            let _e1118 = phi_1266_;
-                                            let _e1120 = phi_1267_;
+                                            let _e1110 = phi_1234_;
+                                            let _e1112 = phi_1235_;
+                                            let _e1114 = phi_1236_;
+                                            if _e1112 {
+                                                phi_1240_ = true;
+                                            } else {
+                                                phi_1240_ = _e1114;
+                                            }
+                                            let _e1116 = phi_1240_;
+                                            if _e1116 {
+                                                phi_1244_ = false;
+                                            } else {
+                                                phi_1244_ = _e1110;
+                                            }
+                                            let _e1118 = phi_1244_;
                                             if _e1118 {
-                                                phi_1271_ = true;
-                                            } else {
-                                                phi_1271_ = _e1120;
-                                            }
-                                            let _e1122 = phi_1271_;
-                                            if _e1122 {
-                                                phi_1275_ = false;
-                                            } else {
-                                                phi_1275_ = _e1116;
-                                            }
-                                            let _e1124 = phi_1275_;
-                                            if _e1124 {
-                                                let _e1125 = (_e1061 >= _e60);
-                                                if _e1125 {
-                                                    phi_2548_ = bool();
+                                                let _e1119 = (_e1055 >= _e60);
+                                                if _e1119 {
+                                                    phi_2538_ = bool();
                                                 } else {
-                                                    if (_e1061 < _e60) {
+                                                    if (_e1055 < _e60) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1131 = nodes.member[(0u + _e1061)].frame[0u];
-                                                    let _e1135 = nodes.member[(0u + _e1061)].frame[1u];
-                                                    let _e1139 = nodes.member[(0u + _e1061)].frame[2u];
-                                                    let _e1143 = nodes.member[(0u + _e1061)].frame[0u];
-                                                    let _e1147 = nodes.member[(0u + _e1061)].frame[1u];
-                                                    let _e1151 = nodes.member[(0u + _e1061)].frame[2u];
-                                                    let _e1155 = nodes.member[(0u + _e1061)].frame[3u];
-                                                    let _e1189 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1032), abs(_e1045));
-                                                    let _e1190 = core_intrinsics_maximum_number_nsz_f32_(_e1189, abs(_e1058));
-                                                    let _e1191 = (_e1190 * 0.0000000000009094947f);
-                                                    if (abs(_e1032) < _e1191) {
-                                                        phi_1345_ = _e1191;
+                                                    let _e1125 = nodes.member[(0u + _e1055)].frame[0u];
+                                                    let _e1129 = nodes.member[(0u + _e1055)].frame[1u];
+                                                    let _e1133 = nodes.member[(0u + _e1055)].frame[2u];
+                                                    let _e1137 = nodes.member[(0u + _e1055)].frame[0u];
+                                                    let _e1141 = nodes.member[(0u + _e1055)].frame[1u];
+                                                    let _e1145 = nodes.member[(0u + _e1055)].frame[2u];
+                                                    let _e1149 = nodes.member[(0u + _e1055)].frame[3u];
+                                                    let _e1183 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1026), abs(_e1039));
+                                                    let _e1184 = core_intrinsics_maximum_number_nsz_f32_(_e1183, abs(_e1052));
+                                                    let _e1185 = (_e1184 * 0.0000000000009094947f);
+                                                    if (abs(_e1026) < _e1185) {
+                                                        phi_1314_ = _e1185;
                                                     } else {
-                                                        phi_1345_ = abs(_e1032);
+                                                        phi_1314_ = abs(_e1026);
                                                     }
-                                                    let _e1196 = phi_1345_;
-                                                    if (_e1032 < 0f) {
-                                                        phi_1352_ = (-1f / _e1196);
+                                                    let _e1190 = phi_1314_;
+                                                    if (_e1026 < 0f) {
+                                                        phi_1321_ = (-1f / _e1190);
                                                     } else {
-                                                        phi_1352_ = (1f / _e1196);
+                                                        phi_1321_ = (1f / _e1190);
                                                     }
-                                                    let _e1201 = phi_1352_;
-                                                    if (abs(_e1045) < _e1191) {
-                                                        phi_1359_ = _e1191;
+                                                    let _e1195 = phi_1321_;
+                                                    if (abs(_e1039) < _e1185) {
+                                                        phi_1328_ = _e1185;
                                                     } else {
-                                                        phi_1359_ = abs(_e1045);
+                                                        phi_1328_ = abs(_e1039);
                                                     }
-                                                    let _e1206 = phi_1359_;
-                                                    if (_e1045 < 0f) {
-                                                        phi_1366_ = (-1f / _e1206);
+                                                    let _e1200 = phi_1328_;
+                                                    if (_e1039 < 0f) {
+                                                        phi_1335_ = (-1f / _e1200);
                                                     } else {
-                                                        phi_1366_ = (1f / _e1206);
+                                                        phi_1335_ = (1f / _e1200);
                                                     }
-                                                    let _e1211 = phi_1366_;
-                                                    if (abs(_e1058) < _e1191) {
-                                                        phi_1373_ = _e1191;
+                                                    let _e1205 = phi_1335_;
+                                                    if (abs(_e1052) < _e1185) {
+                                                        phi_1342_ = _e1185;
                                                     } else {
-                                                        phi_1373_ = abs(_e1058);
+                                                        phi_1342_ = abs(_e1052);
                                                     }
-                                                    let _e1216 = phi_1373_;
-                                                    if (_e1058 < 0f) {
-                                                        phi_1380_ = (-1f / _e1216);
+                                                    let _e1210 = phi_1342_;
+                                                    if (_e1052 < 0f) {
+                                                        phi_1349_ = (-1f / _e1210);
                                                     } else {
-                                                        phi_1380_ = (1f / _e1216);
+                                                        phi_1349_ = (1f / _e1210);
                                                     }
-                                                    let _e1221 = phi_1380_;
-                                                    let _e1225 = abs((bitcast<f32>(_e1131) - _e989));
-                                                    let _e1226 = abs((bitcast<f32>(_e1135) - _e1002));
-                                                    let _e1227 = abs((bitcast<f32>(_e1139) - _e1015));
-                                                    let _e1231 = abs(((bitcast<f32>(_e1143) + (bitcast<f32>((((_e1155 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e989));
-                                                    let _e1232 = abs(((bitcast<f32>(_e1147) + (bitcast<f32>((((_e1155 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1002));
-                                                    let _e1233 = abs(((bitcast<f32>(_e1151) + (bitcast<f32>((((_e1155 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1015));
-                                                    if (_e1225 > _e1231) {
-                                                        phi_1397_ = _e1225;
+                                                    let _e1215 = phi_1349_;
+                                                    let _e1219 = abs((bitcast<f32>(_e1125) - _e986));
+                                                    let _e1220 = abs((bitcast<f32>(_e1129) - _e999));
+                                                    let _e1221 = abs((bitcast<f32>(_e1133) - _e1012));
+                                                    let _e1225 = abs(((bitcast<f32>(_e1137) + (bitcast<f32>((((_e1149 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e986));
+                                                    let _e1226 = abs(((bitcast<f32>(_e1141) + (bitcast<f32>((((_e1149 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e999));
+                                                    let _e1227 = abs(((bitcast<f32>(_e1145) + (bitcast<f32>((((_e1149 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1012));
+                                                    if (_e1219 > _e1225) {
+                                                        phi_1366_ = _e1219;
                                                     } else {
-                                                        phi_1397_ = _e1231;
+                                                        phi_1366_ = _e1225;
                                                     }
-                                                    let _e1236 = phi_1397_;
-                                                    if (_e1226 > _e1232) {
-                                                        phi_1402_ = _e1226;
+                                                    let _e1230 = phi_1366_;
+                                                    if (_e1220 > _e1226) {
+                                                        phi_1371_ = _e1220;
                                                     } else {
-                                                        phi_1402_ = _e1232;
+                                                        phi_1371_ = _e1226;
                                                     }
-                                                    let _e1239 = phi_1402_;
-                                                    if (_e1227 > _e1233) {
-                                                        phi_1407_ = _e1227;
+                                                    let _e1233 = phi_1371_;
+                                                    if (_e1221 > _e1227) {
+                                                        phi_1376_ = _e1221;
                                                     } else {
-                                                        phi_1407_ = _e1233;
+                                                        phi_1376_ = _e1227;
                                                     }
-                                                    let _e1242 = phi_1407_;
-                                                    let _e1243 = core_intrinsics_maximum_number_nsz_f32_(_e1236, _e1239);
-                                                    let _e1244 = core_intrinsics_maximum_number_nsz_f32_(_e1243, _e1242);
-                                                    let _e1248 = (_e1244 * 0.0000019073486f);
-                                                    let _e1249 = (abs(_e1201) * _e1248);
-                                                    let _e1250 = (abs(_e1211) * _e1248);
-                                                    let _e1251 = (abs(_e1221) * _e1248);
-                                                    let _e1255 = (_e1244 * 0.0000009536743f);
-                                                    let _e1256 = (abs(_e1201) * _e1255);
-                                                    let _e1257 = (abs(_e1211) * _e1255);
-                                                    let _e1258 = (abs(_e1221) * _e1255);
-                                                    let _e1259 = abs(_e1032);
-                                                    let _e1260 = abs(_e1045);
-                                                    let _e1261 = abs(_e1058);
-                                                    if (_e1259 >= _e1260) {
-                                                        if (_e1259 >= _e1261) {
-                                                            phi_1435_ = false;
+                                                    let _e1236 = phi_1376_;
+                                                    let _e1237 = core_intrinsics_maximum_number_nsz_f32_(_e1230, _e1233);
+                                                    let _e1238 = core_intrinsics_maximum_number_nsz_f32_(_e1237, _e1236);
+                                                    let _e1242 = (_e1238 * 0.0000019073486f);
+                                                    let _e1243 = (abs(_e1195) * _e1242);
+                                                    let _e1244 = (abs(_e1205) * _e1242);
+                                                    let _e1245 = (abs(_e1215) * _e1242);
+                                                    let _e1249 = (_e1238 * 0.0000009536743f);
+                                                    let _e1250 = (abs(_e1195) * _e1249);
+                                                    let _e1251 = (abs(_e1205) * _e1249);
+                                                    let _e1252 = (abs(_e1215) * _e1249);
+                                                    let _e1253 = abs(_e1026);
+                                                    let _e1254 = abs(_e1039);
+                                                    let _e1255 = abs(_e1052);
+                                                    if (_e1253 >= _e1254) {
+                                                        if (_e1253 >= _e1255) {
+                                                            phi_1404_ = false;
                                                         } else {
-                                                            phi_1435_ = true;
+                                                            phi_1404_ = true;
                                                         }
-                                                        let _e1265 = phi_1435_;
-                                                        phi_1436_ = _e1265;
+                                                        let _e1259 = phi_1404_;
+                                                        phi_1405_ = _e1259;
                                                     } else {
-                                                        phi_1436_ = true;
+                                                        phi_1405_ = true;
                                                     }
-                                                    let _e1267 = phi_1436_;
-                                                    if _e1267 {
-                                                        if (_e1260 >= _e1261) {
-                                                            phi_1444_ = 1u;
+                                                    let _e1261 = phi_1405_;
+                                                    if _e1261 {
+                                                        if (_e1254 >= _e1255) {
+                                                            phi_1413_ = 1u;
                                                         } else {
-                                                            phi_1444_ = 2u;
+                                                            phi_1413_ = 2u;
                                                         }
-                                                        let _e1270 = phi_1444_;
-                                                        phi_1445_ = _e1270;
+                                                        let _e1264 = phi_1413_;
+                                                        phi_1414_ = _e1264;
                                                     } else {
-                                                        phi_1445_ = 0u;
+                                                        phi_1414_ = 0u;
                                                     }
-                                                    let _e1272 = phi_1445_;
-                                                    if (_e1272 == 0u) {
-                                                        phi_1457_ = vec3<f32>(_e1045, _e1058, _e1032);
+                                                    let _e1266 = phi_1414_;
+                                                    if (_e1266 == 0u) {
+                                                        phi_1426_ = vec3<f32>(_e1039, _e1052, _e1026);
                                                     } else {
-                                                        if (_e1272 == 1u) {
-                                                            phi_1456_ = vec3<f32>(_e1058, _e1032, _e1045);
+                                                        if (_e1266 == 1u) {
+                                                            phi_1425_ = vec3<f32>(_e1052, _e1026, _e1039);
                                                         } else {
-                                                            phi_1456_ = vec3<f32>(_e1032, _e1045, _e1058);
+                                                            phi_1425_ = vec3<f32>(_e1026, _e1039, _e1052);
                                                         }
-                                                        let _e1278 = phi_1456_;
-                                                        phi_1457_ = _e1278;
+                                                        let _e1272 = phi_1425_;
+                                                        phi_1426_ = _e1272;
                                                     }
-                                                    let _e1280 = phi_1457_;
-                                                    let _e1283 = (_e1280.x / _e1280.z);
-                                                    let _e1286 = (_e1280.y / _e1280.z);
-                                                    let _e1288 = (1f / _e1280.z);
-                                                    if (_e1201 < 0f) {
-                                                        phi_1470_ = 0u;
+                                                    let _e1274 = phi_1426_;
+                                                    let _e1277 = (_e1274.x / _e1274.z);
+                                                    let _e1280 = (_e1274.y / _e1274.z);
+                                                    let _e1282 = (1f / _e1274.z);
+                                                    if (_e1195 < 0f) {
+                                                        phi_1439_ = 0u;
                                                     } else {
-                                                        phi_1470_ = 1u;
+                                                        phi_1439_ = 1u;
                                                     }
-                                                    let _e1291 = phi_1470_;
-                                                    if (_e1211 < 0f) {
-                                                        phi_1475_ = 0u;
+                                                    let _e1285 = phi_1439_;
+                                                    if (_e1205 < 0f) {
+                                                        phi_1444_ = 0u;
                                                     } else {
-                                                        phi_1475_ = 2u;
+                                                        phi_1444_ = 2u;
                                                     }
-                                                    let _e1294 = phi_1475_;
-                                                    if (_e1221 < 0f) {
-                                                        phi_1480_ = 0u;
+                                                    let _e1288 = phi_1444_;
+                                                    if (_e1215 < 0f) {
+                                                        phi_1449_ = 0u;
                                                     } else {
-                                                        phi_1480_ = 4u;
+                                                        phi_1449_ = 4u;
                                                     }
-                                                    let _e1297 = phi_1480_;
-                                                    let _e1299 = ((_e1291 | _e1294) | _e1297);
-                                                    let _e1300 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1061, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1300.first[0], _e1300.first[1], _e1300.first[2], _e1300.first[3], _e1300.first[4], _e1300.first[5], _e1300.first[6], _e1300.first[7], _e1300.first[8], _e1300.first[9], _e1300.first[10], _e1300.first[11], _e1300.first[12], _e1300.first[13], _e1300.first[14], _e1300.first[15], _e1300.first[16], _e1300.first[17], _e1300.first[18], _e1300.first[19], _e1300.first[20], _e1300.first[21], _e1300.first[22], _e1300.first[23], _e1300.first[24], _e1300.first[25], _e1300.first[26], _e1300.first[27], _e1300.first[28], _e1300.first[29], _e1300.first[30], _e1300.first[31]), array<u32, 32>(_e1300.mask[0], _e1300.mask[1], _e1300.mask[2], _e1300.mask[3], _e1300.mask[4], _e1300.mask[5], _e1300.mask[6], _e1300.mask[7], _e1300.mask[8], _e1300.mask[9], _e1300.mask[10], _e1300.mask[11], _e1300.mask[12], _e1300.mask[13], _e1300.mask[14], _e1300.mask[15], _e1300.mask[16], _e1300.mask[17], _e1300.mask[18], _e1300.mask[19], _e1300.mask[20], _e1300.mask[21], _e1300.mask[22], _e1300.mask[23], _e1300.mask[24], _e1300.mask[25], _e1300.mask[26], _e1300.mask[27], _e1300.mask[28], _e1300.mask[29], _e1300.mask[30], _e1300.mask[31]), _e1300.len, _e1300.group, _e1300.group_mask);
-                                                    let _e1374 = local.group_mask;
-                                                    if ((_e1374 & 4278190080u) == 0u) {
-                                                        let _e1378 = local.len;
-                                                        if (_e1378 == 0u) {
-                                                            phi_1594_ = false;
+                                                    let _e1291 = phi_1449_;
+                                                    let _e1293 = ((_e1285 | _e1288) | _e1291);
+                                                    let _e1294 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1055, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1294.first[0], _e1294.first[1], _e1294.first[2], _e1294.first[3], _e1294.first[4], _e1294.first[5], _e1294.first[6], _e1294.first[7], _e1294.first[8], _e1294.first[9], _e1294.first[10], _e1294.first[11], _e1294.first[12], _e1294.first[13], _e1294.first[14], _e1294.first[15], _e1294.first[16], _e1294.first[17], _e1294.first[18], _e1294.first[19], _e1294.first[20], _e1294.first[21], _e1294.first[22], _e1294.first[23], _e1294.first[24], _e1294.first[25], _e1294.first[26], _e1294.first[27], _e1294.first[28], _e1294.first[29], _e1294.first[30], _e1294.first[31]), array<u32, 32>(_e1294.mask[0], _e1294.mask[1], _e1294.mask[2], _e1294.mask[3], _e1294.mask[4], _e1294.mask[5], _e1294.mask[6], _e1294.mask[7], _e1294.mask[8], _e1294.mask[9], _e1294.mask[10], _e1294.mask[11], _e1294.mask[12], _e1294.mask[13], _e1294.mask[14], _e1294.mask[15], _e1294.mask[16], _e1294.mask[17], _e1294.mask[18], _e1294.mask[19], _e1294.mask[20], _e1294.mask[21], _e1294.mask[22], _e1294.mask[23], _e1294.mask[24], _e1294.mask[25], _e1294.mask[26], _e1294.mask[27], _e1294.mask[28], _e1294.mask[29], _e1294.mask[30], _e1294.mask[31]), _e1294.len, _e1294.group, _e1294.group_mask);
+                                                    let _e1368 = local.group_mask;
+                                                    if ((_e1368 & 4278190080u) == 0u) {
+                                                        let _e1372 = local.len;
+                                                        if (_e1372 == 0u) {
+                                                            phi_1563_ = false;
                                                         } else {
-                                                            let _e1382 = local.len;
-                                                            local.len = (_e1382 - 1u);
-                                                            let _e1385 = local.len;
-                                                            if (_e1385 < 32u) {
+                                                            let _e1376 = local.len;
+                                                            local.len = (_e1376 - 1u);
+                                                            let _e1379 = local.len;
+                                                            if (_e1379 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1390 = local.first[(0u + _e1385)];
-                                                            local.group = _e1390;
-                                                            let _e1393 = local.len;
-                                                            if (_e1393 < 32u) {
+                                                            let _e1384 = local.first[(0u + _e1379)];
+                                                            local.group = _e1384;
+                                                            let _e1387 = local.len;
+                                                            if (_e1387 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1398 = local.mask[(0u + _e1393)];
-                                                            local.group_mask = _e1398;
-                                                            phi_1594_ = true;
+                                                            let _e1392 = local.mask[(0u + _e1387)];
+                                                            local.group_mask = _e1392;
+                                                            phi_1563_ = true;
                                                         }
-                                                        let _e1401 = phi_1594_;
-                                                        phi_1595_ = _e1401;
+                                                        let _e1395 = phi_1563_;
+                                                        phi_1564_ = _e1395;
                                                     } else {
-                                                        phi_1595_ = true;
+                                                        phi_1564_ = true;
                                                     }
-                                                    let _e1403 = phi_1595_;
-                                                    if _e1403 {
-                                                        let _e1405 = local.group_mask;
-                                                        let _e1411 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1405)), 32u, (_e1405 == 0u)));
-                                                        let _e1415 = local.group_mask;
-                                                        let _e1429 = local.group_mask;
-                                                        local.group_mask = (_e1429 & ~((1u << bitcast<u32>((_e1411 & 31u)))));
-                                                        let _e1432 = local.group;
-                                                        phi_1626_ = (_e1432 + countOneBits(((_e1415 & ~((4294967295u << bitcast<u32>((((_e1411 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1397 = phi_1564_;
+                                                    if _e1397 {
+                                                        let _e1399 = local.group_mask;
+                                                        let _e1405 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1399)), 32u, (_e1399 == 0u)));
+                                                        let _e1409 = local.group_mask;
+                                                        let _e1423 = local.group_mask;
+                                                        local.group_mask = (_e1423 & ~((1u << bitcast<u32>((_e1405 & 31u)))));
+                                                        let _e1426 = local.group;
+                                                        phi_1595_ = (_e1426 + countOneBits(((_e1409 & ~((4294967295u << bitcast<u32>((((_e1405 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1626_ = 4294967295u;
+                                                        phi_1595_ = 4294967295u;
                                                     }
-                                                    let _e1435 = phi_1626_;
-                                                    phi_1628_ = _e1435;
+                                                    let _e1429 = phi_1595_;
+                                                    phi_1597_ = _e1429;
                                                     loop {
-                                                        let _e1437 = phi_1628_;
-                                                        if (_e1437 != 4294967295u) {
-                                                            if (_e1437 < _e60) {
+                                                        let _e1431 = phi_1597_;
+                                                        if (_e1431 != 4294967295u) {
+                                                            if (_e1431 < _e60) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1444 = nodes.member[(0u + _e1437)].frame[3u];
-                                                            let _e1469 = (bitcast<f32>((((_e1444 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1201);
-                                                            let _e1470 = (bitcast<f32>((((_e1444 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1211);
-                                                            let _e1471 = (bitcast<f32>((((_e1444 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1221);
-                                                            let _e1474 = nodes.member[(0u + _e1437)].frame[0u];
-                                                            let _e1478 = nodes.member[(0u + _e1437)].frame[1u];
-                                                            let _e1482 = nodes.member[(0u + _e1437)].frame[2u];
-                                                            let _e1487 = ((bitcast<f32>(_e1474) - _e989) * _e1201);
-                                                            let _e1488 = ((bitcast<f32>(_e1478) - _e1002) * _e1211);
-                                                            let _e1489 = ((bitcast<f32>(_e1482) - _e1015) * _e1221);
-                                                            let _e1497 = nodes.member[(0u + _e1437)].x;
-                                                            if (_e1201 < 0f) {
-                                                                let _e1508 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1497.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1514 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1508.unnamed.root, _e1497.w), _e1508.unnamed_1);
-                                                                let _e1520 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1514.unnamed, lt_bvh_traverse_Tree(_e1497.x, _e1514.unnamed_1.first_primitive));
-                                                                phi_1709_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1520.unnamed, lt_bvh_traverse_Tree(_e1520.unnamed_1.root, _e1497.y));
+                                                            let _e1438 = nodes.member[(0u + _e1431)].frame[3u];
+                                                            let _e1463 = (bitcast<f32>((((_e1438 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1195);
+                                                            let _e1464 = (bitcast<f32>((((_e1438 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1205);
+                                                            let _e1465 = (bitcast<f32>((((_e1438 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1215);
+                                                            let _e1468 = nodes.member[(0u + _e1431)].frame[0u];
+                                                            let _e1472 = nodes.member[(0u + _e1431)].frame[1u];
+                                                            let _e1476 = nodes.member[(0u + _e1431)].frame[2u];
+                                                            let _e1481 = ((bitcast<f32>(_e1468) - _e986) * _e1195);
+                                                            let _e1482 = ((bitcast<f32>(_e1472) - _e999) * _e1205);
+                                                            let _e1483 = ((bitcast<f32>(_e1476) - _e1012) * _e1215);
+                                                            let _e1491 = nodes.member[(0u + _e1431)].x;
+                                                            if (_e1195 < 0f) {
+                                                                let _e1502 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1491.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1508 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1502.unnamed.root, _e1491.w), _e1502.unnamed_1);
+                                                                let _e1514 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1508.unnamed, lt_bvh_traverse_Tree(_e1491.x, _e1508.unnamed_1.first_primitive));
+                                                                phi_1678_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1514.unnamed, lt_bvh_traverse_Tree(_e1514.unnamed_1.root, _e1491.y));
                                                             } else {
-                                                                let _e1536 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1497.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1542 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1536.unnamed.root, _e1497.y), _e1536.unnamed_1);
-                                                                let _e1548 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1542.unnamed, lt_bvh_traverse_Tree(_e1497.z, _e1542.unnamed_1.first_primitive));
-                                                                phi_1709_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1548.unnamed, lt_bvh_traverse_Tree(_e1548.unnamed_1.root, _e1497.w));
+                                                                let _e1530 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1491.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1536 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1530.unnamed.root, _e1491.y), _e1530.unnamed_1);
+                                                                let _e1542 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1536.unnamed, lt_bvh_traverse_Tree(_e1491.z, _e1536.unnamed_1.first_primitive));
+                                                                phi_1678_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1542.unnamed, lt_bvh_traverse_Tree(_e1542.unnamed_1.root, _e1491.w));
                                                             }
-                                                            let _e1556 = phi_1709_;
-                                                            let _e1566 = nodes.member[(0u + _e1437)].y;
-                                                            if (_e1211 < 0f) {
-                                                                let _e1577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1566.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1577.unnamed.root, _e1566.w), _e1577.unnamed_1);
-                                                                let _e1589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1583.unnamed, lt_bvh_traverse_Tree(_e1566.x, _e1583.unnamed_1.first_primitive));
-                                                                phi_1736_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1589.unnamed, lt_bvh_traverse_Tree(_e1589.unnamed_1.root, _e1566.y));
+                                                            let _e1550 = phi_1678_;
+                                                            let _e1560 = nodes.member[(0u + _e1431)].y;
+                                                            if (_e1205 < 0f) {
+                                                                let _e1571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1560.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1571.unnamed.root, _e1560.w), _e1571.unnamed_1);
+                                                                let _e1583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1577.unnamed, lt_bvh_traverse_Tree(_e1560.x, _e1577.unnamed_1.first_primitive));
+                                                                phi_1705_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1583.unnamed, lt_bvh_traverse_Tree(_e1583.unnamed_1.root, _e1560.y));
                                                             } else {
-                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1566.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1605.unnamed.root, _e1566.y), _e1605.unnamed_1);
-                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_bvh_traverse_Tree(_e1566.z, _e1611.unnamed_1.first_primitive));
-                                                                phi_1736_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_bvh_traverse_Tree(_e1617.unnamed_1.root, _e1566.w));
+                                                                let _e1599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1560.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1599.unnamed.root, _e1560.y), _e1599.unnamed_1);
+                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1605.unnamed, lt_bvh_traverse_Tree(_e1560.z, _e1605.unnamed_1.first_primitive));
+                                                                phi_1705_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_bvh_traverse_Tree(_e1611.unnamed_1.root, _e1560.w));
                                                             }
-                                                            let _e1625 = phi_1736_;
-                                                            let _e1635 = nodes.member[(0u + _e1437)].z;
-                                                            if (_e1221 < 0f) {
-                                                                let _e1646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1635.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1646.unnamed.root, _e1635.w), _e1646.unnamed_1);
-                                                                let _e1658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1652.unnamed, lt_bvh_traverse_Tree(_e1635.x, _e1652.unnamed_1.first_primitive));
-                                                                phi_1763_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1658.unnamed, lt_bvh_traverse_Tree(_e1658.unnamed_1.root, _e1635.y));
+                                                            let _e1619 = phi_1705_;
+                                                            let _e1629 = nodes.member[(0u + _e1431)].z;
+                                                            if (_e1215 < 0f) {
+                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1640.unnamed.root, _e1629.w), _e1640.unnamed_1);
+                                                                let _e1652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1646.unnamed, lt_bvh_traverse_Tree(_e1629.x, _e1646.unnamed_1.first_primitive));
+                                                                phi_1732_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1652.unnamed, lt_bvh_traverse_Tree(_e1652.unnamed_1.root, _e1629.y));
                                                             } else {
-                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1635.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1674.unnamed.root, _e1635.y), _e1674.unnamed_1);
-                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_bvh_traverse_Tree(_e1635.z, _e1680.unnamed_1.first_primitive));
-                                                                phi_1763_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_bvh_traverse_Tree(_e1686.unnamed_1.root, _e1635.w));
+                                                                let _e1668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1668.unnamed.root, _e1629.y), _e1668.unnamed_1);
+                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1674.unnamed, lt_bvh_traverse_Tree(_e1629.z, _e1674.unnamed_1.first_primitive));
+                                                                phi_1732_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_bvh_traverse_Tree(_e1680.unnamed_1.root, _e1629.w));
                                                             }
-                                                            let _e1694 = phi_1763_;
-                                                            phi_1769_ = 0u;
-                                                            phi_1772_ = 0u;
+                                                            let _e1688 = phi_1732_;
+                                                            phi_1738_ = 0u;
+                                                            phi_1741_ = 0u;
                                                             loop {
-                                                                let _e1704 = phi_1769_;
-                                                                let _e1706 = phi_1772_;
-                                                                local_5 = _e1706;
-                                                                local_6 = _e1706;
-                                                                local_7 = _e1706;
-                                                                let _e1707 = (_e1704 < 8u);
-                                                                if _e1707 {
-                                                                    let _e1709 = (_e1704 >> bitcast<u32>(2i));
-                                                                    let _e1710 = (_e1704 & 3u);
-                                                                    if (_e1709 == 0u) {
-                                                                        phi_1786_ = _e1556.unnamed.root;
+                                                                let _e1698 = phi_1738_;
+                                                                let _e1700 = phi_1741_;
+                                                                local_5 = _e1700;
+                                                                local_6 = _e1700;
+                                                                local_7 = _e1700;
+                                                                let _e1701 = (_e1698 < 8u);
+                                                                if _e1701 {
+                                                                    let _e1703 = (_e1698 >> bitcast<u32>(2i));
+                                                                    let _e1704 = (_e1698 & 3u);
+                                                                    if (_e1703 == 0u) {
+                                                                        phi_1755_ = _e1550.unnamed.root;
                                                                     } else {
-                                                                        phi_1786_ = _e1556.unnamed.first_primitive;
+                                                                        phi_1755_ = _e1550.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1713 = phi_1786_;
-                                                                    if (_e1709 == 0u) {
-                                                                        phi_1796_ = _e1625.unnamed.root;
+                                                                    let _e1707 = phi_1755_;
+                                                                    if (_e1703 == 0u) {
+                                                                        phi_1765_ = _e1619.unnamed.root;
                                                                     } else {
-                                                                        phi_1796_ = _e1625.unnamed.first_primitive;
+                                                                        phi_1765_ = _e1619.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1722 = phi_1796_;
-                                                                    if (_e1709 == 0u) {
-                                                                        phi_1806_ = _e1694.unnamed.root;
+                                                                    let _e1716 = phi_1765_;
+                                                                    if (_e1703 == 0u) {
+                                                                        phi_1775_ = _e1688.unnamed.root;
                                                                     } else {
-                                                                        phi_1806_ = _e1694.unnamed.first_primitive;
+                                                                        phi_1775_ = _e1688.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1731 = phi_1806_;
-                                                                    let _e1744 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1713 >> bitcast<u32>(((_e1710 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 - _e1249)), ((f32(((_e1722 >> bitcast<u32>(((_e1710 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 - _e1250)));
-                                                                    let _e1745 = core_intrinsics_maximum_number_nsz_f32_(_e1744, ((f32(((_e1731 >> bitcast<u32>(((_e1710 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 - _e1251)));
-                                                                    if (_e1709 == 0u) {
-                                                                        phi_1824_ = _e1556.unnamed_1.root;
+                                                                    let _e1725 = phi_1775_;
+                                                                    let _e1738 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1707 >> bitcast<u32>(((_e1704 * 8u) & 31u))) & 255u)) * _e1463) + (_e1481 - _e1243)), ((f32(((_e1716 >> bitcast<u32>(((_e1704 * 8u) & 31u))) & 255u)) * _e1464) + (_e1482 - _e1244)));
+                                                                    let _e1739 = core_intrinsics_maximum_number_nsz_f32_(_e1738, ((f32(((_e1725 >> bitcast<u32>(((_e1704 * 8u) & 31u))) & 255u)) * _e1465) + (_e1483 - _e1245)));
+                                                                    if (_e1703 == 0u) {
+                                                                        phi_1793_ = _e1550.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1824_ = _e1556.unnamed_1.first_primitive;
+                                                                        phi_1793_ = _e1550.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1748 = phi_1824_;
-                                                                    if (_e1709 == 0u) {
-                                                                        phi_1834_ = _e1625.unnamed_1.root;
+                                                                    let _e1742 = phi_1793_;
+                                                                    if (_e1703 == 0u) {
+                                                                        phi_1803_ = _e1619.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1834_ = _e1625.unnamed_1.first_primitive;
+                                                                        phi_1803_ = _e1619.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1757 = phi_1834_;
-                                                                    if (_e1709 == 0u) {
-                                                                        phi_1844_ = _e1694.unnamed_1.root;
+                                                                    let _e1751 = phi_1803_;
+                                                                    if (_e1703 == 0u) {
+                                                                        phi_1813_ = _e1688.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1844_ = _e1694.unnamed_1.first_primitive;
+                                                                        phi_1813_ = _e1688.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1766 = phi_1844_;
-                                                                    let _e1779 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1748 >> bitcast<u32>(((_e1710 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 + _e1249)), ((f32(((_e1757 >> bitcast<u32>(((_e1710 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 + _e1250)));
-                                                                    let _e1780 = core_intrinsics_minimum_number_nsz_f32_(_e1779, ((f32(((_e1766 >> bitcast<u32>(((_e1710 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 + _e1251)));
-                                                                    if (_e1745 <= _e1780) {
-                                                                        if (_e1745 <= _e115) {
-                                                                            if (_e1780 >= 0f) {
-                                                                                if (_e1709 == 0u) {
-                                                                                    let _e1787 = nodes.member[(0u + _e1437)].links[2u];
-                                                                                    phi_1880_ = _e1787;
+                                                                    let _e1760 = phi_1813_;
+                                                                    let _e1773 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1742 >> bitcast<u32>(((_e1704 * 8u) & 31u))) & 255u)) * _e1463) + (_e1481 + _e1243)), ((f32(((_e1751 >> bitcast<u32>(((_e1704 * 8u) & 31u))) & 255u)) * _e1464) + (_e1482 + _e1244)));
+                                                                    let _e1774 = core_intrinsics_minimum_number_nsz_f32_(_e1773, ((f32(((_e1760 >> bitcast<u32>(((_e1704 * 8u) & 31u))) & 255u)) * _e1465) + (_e1483 + _e1245)));
+                                                                    if (_e1739 <= _e1774) {
+                                                                        if (_e1739 <= _e116) {
+                                                                            if (_e1774 >= 0f) {
+                                                                                if (_e1703 == 0u) {
+                                                                                    let _e1781 = nodes.member[(0u + _e1431)].links[2u];
+                                                                                    phi_1849_ = _e1781;
                                                                                 } else {
-                                                                                    let _e1790 = nodes.member[(0u + _e1437)].links[3u];
-                                                                                    phi_1880_ = _e1790;
+                                                                                    let _e1784 = nodes.member[(0u + _e1431)].links[3u];
+                                                                                    phi_1849_ = _e1784;
                                                                                 }
-                                                                                let _e1792 = phi_1880_;
-                                                                                let _e1797 = ((_e1792 >> bitcast<u32>(((_e1710 * 8u) & 31u))) & 255u);
-                                                                                let _e1798 = (_e1797 & 31u);
-                                                                                if (_e1798 >= 24u) {
-                                                                                    phi_1893_ = (24u + ((_e1798 - 24u) ^ _e1299));
+                                                                                let _e1786 = phi_1849_;
+                                                                                let _e1791 = ((_e1786 >> bitcast<u32>(((_e1704 * 8u) & 31u))) & 255u);
+                                                                                let _e1792 = (_e1791 & 31u);
+                                                                                if (_e1792 >= 24u) {
+                                                                                    phi_1862_ = (24u + ((_e1792 - 24u) ^ _e1293));
                                                                                 } else {
-                                                                                    phi_1893_ = _e1798;
+                                                                                    phi_1862_ = _e1792;
                                                                                 }
-                                                                                let _e1804 = phi_1893_;
-                                                                                phi_1898_ = (_e1706 | ((_e1797 >> bitcast<u32>(5i)) << bitcast<u32>((_e1804 & 31u))));
+                                                                                let _e1798 = phi_1862_;
+                                                                                phi_1867_ = (_e1700 | ((_e1791 >> bitcast<u32>(5i)) << bitcast<u32>((_e1798 & 31u))));
                                                                             } else {
-                                                                                phi_1898_ = _e1706;
+                                                                                phi_1867_ = _e1700;
                                                                             }
-                                                                            let _e1812 = phi_1898_;
-                                                                            phi_1899_ = _e1812;
+                                                                            let _e1806 = phi_1867_;
+                                                                            phi_1868_ = _e1806;
                                                                         } else {
-                                                                            phi_1899_ = _e1706;
+                                                                            phi_1868_ = _e1700;
                                                                         }
-                                                                        let _e1814 = phi_1899_;
-                                                                        phi_1900_ = _e1814;
+                                                                        let _e1808 = phi_1868_;
+                                                                        phi_1869_ = _e1808;
                                                                     } else {
-                                                                        phi_1900_ = _e1706;
+                                                                        phi_1869_ = _e1700;
                                                                     }
-                                                                    let _e1816 = phi_1900_;
-                                                                    phi_1770_ = (_e1704 + 1u);
-                                                                    phi_1773_ = _e1816;
+                                                                    let _e1810 = phi_1869_;
+                                                                    phi_1739_ = (_e1698 + 1u);
+                                                                    phi_1742_ = _e1810;
                                                                 } else {
-                                                                    phi_1770_ = u32();
-                                                                    phi_1773_ = u32();
+                                                                    phi_1739_ = u32();
+                                                                    phi_1742_ = u32();
                                                                 }
-                                                                let _e1819 = phi_1770_;
-                                                                let _e1821 = phi_1773_;
+                                                                let _e1813 = phi_1739_;
+                                                                let _e1815 = phi_1742_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1769_ = _e1819;
-                                                                    phi_1772_ = _e1821;
-                                                                    break if !(_e1707);
+                                                                    phi_1738_ = _e1813;
+                                                                    phi_1741_ = _e1815;
+                                                                    break if !(_e1701);
                                                                 }
                                                             }
-                                                            let _e1825 = nodes.member[(0u + _e1437)].links[0u];
-                                                            let _e1829 = nodes.member[(0u + _e1437)].frame[3u];
-                                                            let _e1833 = local_5;
-                                                            if ((_e1833 & 4278190080u) == 0u) {
+                                                            let _e1819 = nodes.member[(0u + _e1431)].links[0u];
+                                                            let _e1823 = nodes.member[(0u + _e1431)].frame[3u];
+                                                            let _e1827 = local_5;
+                                                            if ((_e1827 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1837 = local.group_mask;
-                                                                if ((_e1837 & 4278190080u) == 0u) {
+                                                                let _e1831 = local.group_mask;
+                                                                if ((_e1831 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1841 = local.len;
-                                                                    if (_e1841 < 32u) {
-                                                                        let _e1844 = local.group;
-                                                                        let _e1846 = local.len;
-                                                                        if (_e1846 < 32u) {
+                                                                    let _e1835 = local.len;
+                                                                    if (_e1835 < 32u) {
+                                                                        let _e1838 = local.group;
+                                                                        let _e1840 = local.len;
+                                                                        if (_e1840 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1846)] = _e1844;
-                                                                        let _e1852 = local.group_mask;
-                                                                        let _e1854 = local.len;
-                                                                        if (_e1854 < 32u) {
+                                                                        local.first[(0u + _e1840)] = _e1838;
+                                                                        let _e1846 = local.group_mask;
+                                                                        let _e1848 = local.len;
+                                                                        if (_e1848 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.mask[(0u + _e1854)] = _e1852;
-                                                                        let _e1861 = local.len;
-                                                                        local.len = (_e1861 + 1u);
+                                                                        local.mask[(0u + _e1848)] = _e1846;
+                                                                        let _e1855 = local.len;
+                                                                        local.len = (_e1855 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1061 + _e1825);
-                                                                let _e1865 = local_6;
-                                                                local.group_mask = ((_e1865 & 4278190080u) | (_e1829 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1055 + _e1819);
+                                                                let _e1859 = local_6;
+                                                                local.group_mask = ((_e1859 & 4278190080u) | (_e1823 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1870 = local_7;
-                                                            phi_1958_ = (_e1870 & 16777215u);
+                                                            let _e1864 = local_7;
+                                                            phi_1927_ = (_e1864 & 16777215u);
                                                             loop {
-                                                                let _e1873 = phi_1958_;
-                                                                let _e1874 = (_e1873 == 0u);
-                                                                local_8 = _e1874;
-                                                                local_14 = _e1874;
-                                                                if _e1874 {
-                                                                    phi_1959_ = u32();
-                                                                    phi_2451_ = false;
-                                                                    phi_2452_ = false;
-                                                                    phi_2453_ = false;
+                                                                let _e1867 = phi_1927_;
+                                                                let _e1868 = (_e1867 == 0u);
+                                                                local_8 = _e1868;
+                                                                local_14 = _e1868;
+                                                                if _e1868 {
+                                                                    phi_1928_ = u32();
+                                                                    phi_2441_ = false;
+                                                                    phi_2442_ = false;
+                                                                    phi_2443_ = false;
                                                                 } else {
-                                                                    let _e1877 = nodes.member[(0u + _e1437)].links[1u];
-                                                                    let _e1882 = ((_e1063 + _e1877) + select(firstTrailingBit(_e1873), 32u, (_e1873 == 0u)));
-                                                                    if (_e1882 < arrayLength((&triangles.member))) {
+                                                                    let _e1871 = nodes.member[(0u + _e1431)].links[1u];
+                                                                    let _e1876 = ((_e1057 + _e1871) + select(firstTrailingBit(_e1867), 32u, (_e1867 == 0u)));
+                                                                    if (_e1876 < arrayLength((&triangles.member))) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1889 = triangles.member[(0u + _e1882)].v0_;
-                                                                    let _e1891 = (_e1889.x - _e989);
-                                                                    let _e1893 = (_e1889.y - _e1002);
-                                                                    let _e1895 = (_e1889.z - _e1015);
-                                                                    if (_e1272 == 0u) {
-                                                                        phi_2004_ = vec3<f32>(_e1893, _e1895, _e1891);
+                                                                    let _e1883 = triangles.member[(0u + _e1876)].v0_;
+                                                                    let _e1885 = (_e1883.x - _e986);
+                                                                    let _e1887 = (_e1883.y - _e999);
+                                                                    let _e1889 = (_e1883.z - _e1012);
+                                                                    if (_e1266 == 0u) {
+                                                                        phi_1973_ = vec3<f32>(_e1887, _e1889, _e1885);
                                                                     } else {
-                                                                        if (_e1272 == 1u) {
-                                                                            phi_2003_ = vec3<f32>(_e1895, _e1891, _e1893);
+                                                                        if (_e1266 == 1u) {
+                                                                            phi_1972_ = vec3<f32>(_e1889, _e1885, _e1887);
                                                                         } else {
-                                                                            phi_2003_ = (_e1889 - vec3<f32>(_e989, _e1002, _e1015));
+                                                                            phi_1972_ = (_e1883 - vec3<f32>(_e986, _e999, _e1012));
                                                                         }
-                                                                        let _e1903 = phi_2003_;
-                                                                        phi_2004_ = _e1903;
+                                                                        let _e1897 = phi_1972_;
+                                                                        phi_1973_ = _e1897;
                                                                     }
-                                                                    let _e1905 = phi_2004_;
-                                                                    let _e1909 = (_e1905.x - (_e1283 * _e1905.z));
-                                                                    let _e1913 = (_e1905.y - (_e1286 * _e1905.z));
-                                                                    let _e1917 = triangles.member[(0u + _e1882)].v1_;
-                                                                    let _e1919 = (_e1917.x - _e989);
-                                                                    let _e1921 = (_e1917.y - _e1002);
-                                                                    let _e1923 = (_e1917.z - _e1015);
-                                                                    if (_e1272 == 0u) {
-                                                                        phi_2036_ = vec3<f32>(_e1921, _e1923, _e1919);
+                                                                    let _e1899 = phi_1973_;
+                                                                    let _e1903 = (_e1899.x - (_e1277 * _e1899.z));
+                                                                    let _e1907 = (_e1899.y - (_e1280 * _e1899.z));
+                                                                    let _e1911 = triangles.member[(0u + _e1876)].v1_;
+                                                                    let _e1913 = (_e1911.x - _e986);
+                                                                    let _e1915 = (_e1911.y - _e999);
+                                                                    let _e1917 = (_e1911.z - _e1012);
+                                                                    if (_e1266 == 0u) {
+                                                                        phi_2005_ = vec3<f32>(_e1915, _e1917, _e1913);
                                                                     } else {
-                                                                        if (_e1272 == 1u) {
-                                                                            phi_2035_ = vec3<f32>(_e1923, _e1919, _e1921);
+                                                                        if (_e1266 == 1u) {
+                                                                            phi_2004_ = vec3<f32>(_e1917, _e1913, _e1915);
                                                                         } else {
-                                                                            phi_2035_ = (_e1917 - vec3<f32>(_e989, _e1002, _e1015));
+                                                                            phi_2004_ = (_e1911 - vec3<f32>(_e986, _e999, _e1012));
                                                                         }
-                                                                        let _e1931 = phi_2035_;
-                                                                        phi_2036_ = _e1931;
+                                                                        let _e1925 = phi_2004_;
+                                                                        phi_2005_ = _e1925;
                                                                     }
-                                                                    let _e1933 = phi_2036_;
-                                                                    let _e1937 = (_e1933.x - (_e1283 * _e1933.z));
-                                                                    let _e1941 = (_e1933.y - (_e1286 * _e1933.z));
-                                                                    let _e1945 = triangles.member[(0u + _e1882)].v2_;
-                                                                    let _e1947 = (_e1945.x - _e989);
-                                                                    let _e1949 = (_e1945.y - _e1002);
-                                                                    let _e1951 = (_e1945.z - _e1015);
-                                                                    if (_e1272 == 0u) {
-                                                                        phi_2068_ = vec3<f32>(_e1949, _e1951, _e1947);
+                                                                    let _e1927 = phi_2005_;
+                                                                    let _e1931 = (_e1927.x - (_e1277 * _e1927.z));
+                                                                    let _e1935 = (_e1927.y - (_e1280 * _e1927.z));
+                                                                    let _e1939 = triangles.member[(0u + _e1876)].v2_;
+                                                                    let _e1941 = (_e1939.x - _e986);
+                                                                    let _e1943 = (_e1939.y - _e999);
+                                                                    let _e1945 = (_e1939.z - _e1012);
+                                                                    if (_e1266 == 0u) {
+                                                                        phi_2037_ = vec3<f32>(_e1943, _e1945, _e1941);
                                                                     } else {
-                                                                        if (_e1272 == 1u) {
-                                                                            phi_2067_ = vec3<f32>(_e1951, _e1947, _e1949);
+                                                                        if (_e1266 == 1u) {
+                                                                            phi_2036_ = vec3<f32>(_e1945, _e1941, _e1943);
                                                                         } else {
-                                                                            phi_2067_ = (_e1945 - vec3<f32>(_e989, _e1002, _e1015));
+                                                                            phi_2036_ = (_e1939 - vec3<f32>(_e986, _e999, _e1012));
                                                                         }
-                                                                        let _e1959 = phi_2067_;
-                                                                        phi_2068_ = _e1959;
+                                                                        let _e1953 = phi_2036_;
+                                                                        phi_2037_ = _e1953;
                                                                     }
-                                                                    let _e1961 = phi_2068_;
-                                                                    let _e1965 = (_e1961.x - (_e1283 * _e1961.z));
-                                                                    let _e1969 = (_e1961.y - (_e1286 * _e1961.z));
-                                                                    if (_e1937 < _e1965) {
-                                                                        phi_2089_ = true;
+                                                                    let _e1955 = phi_2037_;
+                                                                    let _e1959 = (_e1955.x - (_e1277 * _e1955.z));
+                                                                    let _e1963 = (_e1955.y - (_e1280 * _e1955.z));
+                                                                    if (_e1931 < _e1959) {
+                                                                        phi_2058_ = true;
                                                                     } else {
-                                                                        if (_e1937 == _e1965) {
-                                                                            phi_2088_ = (_e1941 < _e1969);
+                                                                        if (_e1931 == _e1959) {
+                                                                            phi_2057_ = (_e1935 < _e1963);
                                                                         } else {
-                                                                            phi_2088_ = false;
+                                                                            phi_2057_ = false;
                                                                         }
-                                                                        let _e1976 = phi_2088_;
-                                                                        phi_2089_ = _e1976;
+                                                                        let _e1970 = phi_2057_;
+                                                                        phi_2058_ = _e1970;
                                                                     }
-                                                                    let _e1978 = phi_2089_;
-                                                                    if _e1978 {
-                                                                        phi_2093_ = _e1969;
-                                                                        phi_2094_ = _e1965;
-                                                                        phi_2095_ = _e1941;
-                                                                        phi_2096_ = _e1937;
+                                                                    let _e1972 = phi_2058_;
+                                                                    if _e1972 {
+                                                                        phi_2062_ = _e1963;
+                                                                        phi_2063_ = _e1959;
+                                                                        phi_2064_ = _e1935;
+                                                                        phi_2065_ = _e1931;
                                                                     } else {
-                                                                        phi_2093_ = _e1941;
-                                                                        phi_2094_ = _e1937;
-                                                                        phi_2095_ = _e1969;
-                                                                        phi_2096_ = _e1965;
+                                                                        phi_2062_ = _e1935;
+                                                                        phi_2063_ = _e1931;
+                                                                        phi_2064_ = _e1963;
+                                                                        phi_2065_ = _e1959;
                                                                     }
-                                                                    let _e1980 = phi_2093_;
-                                                                    let _e1982 = phi_2094_;
-                                                                    let _e1984 = phi_2095_;
-                                                                    let _e1986 = phi_2096_;
-                                                                    let _e1989 = ((_e1986 * _e1980) - (_e1984 * _e1982));
-                                                                    if _e1978 {
-                                                                        phi_2104_ = -(_e1989);
+                                                                    let _e1974 = phi_2062_;
+                                                                    let _e1976 = phi_2063_;
+                                                                    let _e1978 = phi_2064_;
+                                                                    let _e1980 = phi_2065_;
+                                                                    let _e1983 = ((_e1980 * _e1974) - (_e1978 * _e1976));
+                                                                    if _e1972 {
+                                                                        phi_2073_ = -(_e1983);
                                                                     } else {
-                                                                        phi_2104_ = _e1989;
+                                                                        phi_2073_ = _e1983;
                                                                     }
-                                                                    let _e1992 = phi_2104_;
-                                                                    if (_e1965 < _e1909) {
-                                                                        phi_2115_ = true;
+                                                                    let _e1986 = phi_2073_;
+                                                                    if (_e1959 < _e1903) {
+                                                                        phi_2084_ = true;
                                                                     } else {
-                                                                        if (_e1965 == _e1909) {
-                                                                            phi_2114_ = (_e1969 < _e1913);
+                                                                        if (_e1959 == _e1903) {
+                                                                            phi_2083_ = (_e1963 < _e1907);
                                                                         } else {
-                                                                            phi_2114_ = false;
+                                                                            phi_2083_ = false;
                                                                         }
-                                                                        let _e1997 = phi_2114_;
-                                                                        phi_2115_ = _e1997;
+                                                                        let _e1991 = phi_2083_;
+                                                                        phi_2084_ = _e1991;
                                                                     }
-                                                                    let _e1999 = phi_2115_;
-                                                                    if _e1999 {
-                                                                        phi_2119_ = _e1913;
-                                                                        phi_2120_ = _e1909;
-                                                                        phi_2121_ = _e1969;
-                                                                        phi_2122_ = _e1965;
+                                                                    let _e1993 = phi_2084_;
+                                                                    if _e1993 {
+                                                                        phi_2088_ = _e1907;
+                                                                        phi_2089_ = _e1903;
+                                                                        phi_2090_ = _e1963;
+                                                                        phi_2091_ = _e1959;
                                                                     } else {
-                                                                        phi_2119_ = _e1969;
-                                                                        phi_2120_ = _e1965;
-                                                                        phi_2121_ = _e1913;
-                                                                        phi_2122_ = _e1909;
+                                                                        phi_2088_ = _e1963;
+                                                                        phi_2089_ = _e1959;
+                                                                        phi_2090_ = _e1907;
+                                                                        phi_2091_ = _e1903;
                                                                     }
-                                                                    let _e2001 = phi_2119_;
-                                                                    let _e2003 = phi_2120_;
-                                                                    let _e2005 = phi_2121_;
-                                                                    let _e2007 = phi_2122_;
-                                                                    let _e2010 = ((_e2007 * _e2001) - (_e2005 * _e2003));
-                                                                    if _e1999 {
-                                                                        phi_2130_ = -(_e2010);
+                                                                    let _e1995 = phi_2088_;
+                                                                    let _e1997 = phi_2089_;
+                                                                    let _e1999 = phi_2090_;
+                                                                    let _e2001 = phi_2091_;
+                                                                    let _e2004 = ((_e2001 * _e1995) - (_e1999 * _e1997));
+                                                                    if _e1993 {
+                                                                        phi_2099_ = -(_e2004);
                                                                     } else {
-                                                                        phi_2130_ = _e2010;
+                                                                        phi_2099_ = _e2004;
                                                                     }
-                                                                    let _e2013 = phi_2130_;
-                                                                    if (_e1909 < _e1937) {
-                                                                        phi_2141_ = true;
+                                                                    let _e2007 = phi_2099_;
+                                                                    if (_e1903 < _e1931) {
+                                                                        phi_2110_ = true;
                                                                     } else {
-                                                                        if (_e1909 == _e1937) {
-                                                                            phi_2140_ = (_e1913 < _e1941);
+                                                                        if (_e1903 == _e1931) {
+                                                                            phi_2109_ = (_e1907 < _e1935);
                                                                         } else {
-                                                                            phi_2140_ = false;
+                                                                            phi_2109_ = false;
                                                                         }
-                                                                        let _e2018 = phi_2140_;
-                                                                        phi_2141_ = _e2018;
+                                                                        let _e2012 = phi_2109_;
+                                                                        phi_2110_ = _e2012;
                                                                     }
-                                                                    let _e2020 = phi_2141_;
-                                                                    if _e2020 {
-                                                                        phi_2145_ = _e1941;
-                                                                        phi_2146_ = _e1937;
-                                                                        phi_2147_ = _e1913;
-                                                                        phi_2148_ = _e1909;
+                                                                    let _e2014 = phi_2110_;
+                                                                    if _e2014 {
+                                                                        phi_2114_ = _e1935;
+                                                                        phi_2115_ = _e1931;
+                                                                        phi_2116_ = _e1907;
+                                                                        phi_2117_ = _e1903;
                                                                     } else {
-                                                                        phi_2145_ = _e1913;
-                                                                        phi_2146_ = _e1909;
-                                                                        phi_2147_ = _e1941;
-                                                                        phi_2148_ = _e1937;
+                                                                        phi_2114_ = _e1907;
+                                                                        phi_2115_ = _e1903;
+                                                                        phi_2116_ = _e1935;
+                                                                        phi_2117_ = _e1931;
                                                                     }
-                                                                    let _e2022 = phi_2145_;
-                                                                    let _e2024 = phi_2146_;
-                                                                    let _e2026 = phi_2147_;
-                                                                    let _e2028 = phi_2148_;
-                                                                    let _e2031 = ((_e2028 * _e2022) - (_e2026 * _e2024));
-                                                                    if _e2020 {
-                                                                        phi_2156_ = -(_e2031);
+                                                                    let _e2016 = phi_2114_;
+                                                                    let _e2018 = phi_2115_;
+                                                                    let _e2020 = phi_2116_;
+                                                                    let _e2022 = phi_2117_;
+                                                                    let _e2025 = ((_e2022 * _e2016) - (_e2020 * _e2018));
+                                                                    if _e2014 {
+                                                                        phi_2125_ = -(_e2025);
                                                                     } else {
-                                                                        phi_2156_ = _e2031;
+                                                                        phi_2125_ = _e2025;
                                                                     }
-                                                                    let _e2034 = phi_2156_;
-                                                                    if (_e1992 >= 0f) {
-                                                                        if (_e2013 >= 0f) {
-                                                                            if (_e2034 >= 0f) {
-                                                                                phi_2171_ = ((_e1992 + _e2013) + _e2034);
-                                                                                phi_2172_ = false;
+                                                                    let _e2028 = phi_2125_;
+                                                                    if (_e1986 >= 0f) {
+                                                                        if (_e2007 >= 0f) {
+                                                                            if (_e2028 >= 0f) {
+                                                                                phi_2140_ = ((_e1986 + _e2007) + _e2028);
+                                                                                phi_2141_ = false;
                                                                             } else {
-                                                                                phi_2171_ = f32();
-                                                                                phi_2172_ = true;
+                                                                                phi_2140_ = f32();
+                                                                                phi_2141_ = true;
                                                                             }
-                                                                            let _e2041 = phi_2171_;
-                                                                            let _e2043 = phi_2172_;
-                                                                            phi_2173_ = _e2041;
-                                                                            phi_2174_ = _e2043;
+                                                                            let _e2035 = phi_2140_;
+                                                                            let _e2037 = phi_2141_;
+                                                                            phi_2142_ = _e2035;
+                                                                            phi_2143_ = _e2037;
                                                                         } else {
-                                                                            phi_2173_ = f32();
-                                                                            phi_2174_ = true;
+                                                                            phi_2142_ = f32();
+                                                                            phi_2143_ = true;
                                                                         }
-                                                                        let _e2045 = phi_2173_;
-                                                                        let _e2047 = phi_2174_;
-                                                                        phi_2175_ = _e2045;
-                                                                        phi_2176_ = _e2047;
+                                                                        let _e2039 = phi_2142_;
+                                                                        let _e2041 = phi_2143_;
+                                                                        phi_2144_ = _e2039;
+                                                                        phi_2145_ = _e2041;
                                                                     } else {
-                                                                        phi_2175_ = f32();
-                                                                        phi_2176_ = true;
+                                                                        phi_2144_ = f32();
+                                                                        phi_2145_ = true;
                                                                     }
-                                                                    let _e2049 = phi_2175_;
-                                                                    let _e2051 = phi_2176_;
-                                                                    if _e2051 {
-                                                                        if (_e1992 <= 0f) {
-                                                                            if (_e2013 <= 0f) {
-                                                                                let _e2054 = (_e2034 <= 0f);
-                                                                                if _e2054 {
+                                                                    let _e2043 = phi_2144_;
+                                                                    let _e2045 = phi_2145_;
+                                                                    if _e2045 {
+                                                                        if (_e1986 <= 0f) {
+                                                                            if (_e2007 <= 0f) {
+                                                                                let _e2048 = (_e2028 <= 0f);
+                                                                                if _e2048 {
                                                                                 }
-                                                                                phi_2194_ = ((_e1992 + _e2013) + _e2034);
-                                                                                phi_2195_ = false;
-                                                                                phi_2196_ = _e2054;
+                                                                                phi_2163_ = ((_e1986 + _e2007) + _e2028);
+                                                                                phi_2164_ = false;
+                                                                                phi_2165_ = _e2048;
                                                                             } else {
-                                                                                phi_2194_ = f32();
-                                                                                phi_2195_ = true;
-                                                                                phi_2196_ = false;
+                                                                                phi_2163_ = f32();
+                                                                                phi_2164_ = true;
+                                                                                phi_2165_ = false;
                                                                             }
-                                                                            let _e2058 = phi_2194_;
-                                                                            let _e2060 = phi_2195_;
-                                                                            let _e2062 = phi_2196_;
-                                                                            phi_2197_ = _e2058;
-                                                                            phi_2198_ = _e2060;
-                                                                            phi_2199_ = _e2062;
+                                                                            let _e2052 = phi_2163_;
+                                                                            let _e2054 = phi_2164_;
+                                                                            let _e2056 = phi_2165_;
+                                                                            phi_2166_ = _e2052;
+                                                                            phi_2167_ = _e2054;
+                                                                            phi_2168_ = _e2056;
                                                                         } else {
-                                                                            phi_2197_ = f32();
-                                                                            phi_2198_ = true;
-                                                                            phi_2199_ = false;
+                                                                            phi_2166_ = f32();
+                                                                            phi_2167_ = true;
+                                                                            phi_2168_ = false;
                                                                         }
-                                                                        let _e2064 = phi_2197_;
-                                                                        let _e2066 = phi_2198_;
-                                                                        let _e2068 = phi_2199_;
-                                                                        if _e2066 {
-                                                                            phi_2203_ = false;
+                                                                        let _e2058 = phi_2166_;
+                                                                        let _e2060 = phi_2167_;
+                                                                        let _e2062 = phi_2168_;
+                                                                        if _e2060 {
+                                                                            phi_2172_ = false;
                                                                         } else {
-                                                                            phi_2203_ = _e2068;
+                                                                            phi_2172_ = _e2062;
                                                                         }
-                                                                        let _e2070 = phi_2203_;
-                                                                        phi_2204_ = _e2064;
-                                                                        phi_2205_ = _e2070;
+                                                                        let _e2064 = phi_2172_;
+                                                                        phi_2173_ = _e2058;
+                                                                        phi_2174_ = _e2064;
                                                                     } else {
-                                                                        phi_2204_ = _e2049;
-                                                                        phi_2205_ = true;
+                                                                        phi_2173_ = _e2043;
+                                                                        phi_2174_ = true;
                                                                     }
-                                                                    let _e2072 = phi_2204_;
-                                                                    let _e2074 = phi_2205_;
-                                                                    if _e2074 {
-                                                                        let _e2075 = (_e2072 == 0f);
-                                                                        if _e2075 {
-                                                                            phi_2403_ = lt_bvh_triangle_Intersection();
+                                                                    let _e2066 = phi_2173_;
+                                                                    let _e2068 = phi_2174_;
+                                                                    if _e2068 {
+                                                                        let _e2069 = (_e2066 == 0f);
+                                                                        if _e2069 {
+                                                                            phi_2387_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2388_ = false;
                                                                         } else {
-                                                                            let _e2081 = ((((_e1992 * (_e1288 * _e1905.z)) + (_e2013 * (_e1288 * _e1933.z))) + (_e2034 * (_e1288 * _e1961.z))) / _e2072);
-                                                                            let _e2083 = triangles.member[(0u + _e1882)].v0_;
-                                                                            let _e2085 = triangles.member[(0u + _e1882)].v1_;
-                                                                            if (_e2083.x < _e2085.x) {
-                                                                                phi_2231_ = _e2083.x;
+                                                                            let _e2075 = ((((_e1986 * (_e1282 * _e1899.z)) + (_e2007 * (_e1282 * _e1927.z))) + (_e2028 * (_e1282 * _e1955.z))) / _e2066);
+                                                                            if (_e2075 > 0f) {
+                                                                                if (_e2075 < _e116) {
+                                                                                    let _e2079 = triangles.member[(0u + _e1876)].v0_;
+                                                                                    let _e2081 = triangles.member[(0u + _e1876)].v1_;
+                                                                                    if (_e2079.x < _e2081.x) {
+                                                                                        phi_2208_ = _e2079.x;
+                                                                                    } else {
+                                                                                        phi_2208_ = _e2081.x;
+                                                                                    }
+                                                                                    let _e2088 = phi_2208_;
+                                                                                    if (_e2079.y < _e2081.y) {
+                                                                                        phi_2217_ = _e2079.y;
+                                                                                    } else {
+                                                                                        phi_2217_ = _e2081.y;
+                                                                                    }
+                                                                                    let _e2095 = phi_2217_;
+                                                                                    if (_e2079.z < _e2081.z) {
+                                                                                        phi_2226_ = _e2079.z;
+                                                                                    } else {
+                                                                                        phi_2226_ = _e2081.z;
+                                                                                    }
+                                                                                    let _e2102 = phi_2226_;
+                                                                                    let _e2104 = triangles.member[(0u + _e1876)].v2_;
+                                                                                    if (_e2088 < _e2104.x) {
+                                                                                        phi_2235_ = _e2088;
+                                                                                    } else {
+                                                                                        phi_2235_ = _e2104.x;
+                                                                                    }
+                                                                                    let _e2109 = phi_2235_;
+                                                                                    if (_e2095 < _e2104.y) {
+                                                                                        phi_2242_ = _e2095;
+                                                                                    } else {
+                                                                                        phi_2242_ = _e2104.y;
+                                                                                    }
+                                                                                    let _e2114 = phi_2242_;
+                                                                                    if (_e2102 < _e2104.z) {
+                                                                                        phi_2249_ = _e2102;
+                                                                                    } else {
+                                                                                        phi_2249_ = _e2104.z;
+                                                                                    }
+                                                                                    let _e2119 = phi_2249_;
+                                                                                    let _e2121 = triangles.member[(0u + _e1876)].v0_;
+                                                                                    let _e2123 = triangles.member[(0u + _e1876)].v1_;
+                                                                                    if (_e2121.x > _e2123.x) {
+                                                                                        phi_2262_ = _e2121.x;
+                                                                                    } else {
+                                                                                        phi_2262_ = _e2123.x;
+                                                                                    }
+                                                                                    let _e2130 = phi_2262_;
+                                                                                    if (_e2121.y > _e2123.y) {
+                                                                                        phi_2271_ = _e2121.y;
+                                                                                    } else {
+                                                                                        phi_2271_ = _e2123.y;
+                                                                                    }
+                                                                                    let _e2137 = phi_2271_;
+                                                                                    if (_e2121.z > _e2123.z) {
+                                                                                        phi_2280_ = _e2121.z;
+                                                                                    } else {
+                                                                                        phi_2280_ = _e2123.z;
+                                                                                    }
+                                                                                    let _e2144 = phi_2280_;
+                                                                                    let _e2146 = triangles.member[(0u + _e1876)].v2_;
+                                                                                    if (_e2130 > _e2146.x) {
+                                                                                        phi_2289_ = _e2130;
+                                                                                    } else {
+                                                                                        phi_2289_ = _e2146.x;
+                                                                                    }
+                                                                                    let _e2151 = phi_2289_;
+                                                                                    if (_e2137 > _e2146.y) {
+                                                                                        phi_2296_ = _e2137;
+                                                                                    } else {
+                                                                                        phi_2296_ = _e2146.y;
+                                                                                    }
+                                                                                    let _e2156 = phi_2296_;
+                                                                                    if (_e2144 > _e2146.z) {
+                                                                                        phi_2303_ = _e2144;
+                                                                                    } else {
+                                                                                        phi_2303_ = _e2146.z;
+                                                                                    }
+                                                                                    let _e2161 = phi_2303_;
+                                                                                    let _e2165 = ((_e2109 - _e986) * _e1195);
+                                                                                    let _e2166 = ((_e2114 - _e999) * _e1205);
+                                                                                    let _e2167 = ((_e2119 - _e1012) * _e1215);
+                                                                                    let _e2171 = ((_e2151 - _e986) * _e1195);
+                                                                                    let _e2172 = ((_e2156 - _e999) * _e1205);
+                                                                                    let _e2173 = ((_e2161 - _e1012) * _e1215);
+                                                                                    if (_e2165 < _e2171) {
+                                                                                        phi_2320_ = _e2165;
+                                                                                    } else {
+                                                                                        phi_2320_ = _e2171;
+                                                                                    }
+                                                                                    let _e2176 = phi_2320_;
+                                                                                    if (_e2166 < _e2172) {
+                                                                                        phi_2325_ = _e2166;
+                                                                                    } else {
+                                                                                        phi_2325_ = _e2172;
+                                                                                    }
+                                                                                    let _e2179 = phi_2325_;
+                                                                                    if (_e2167 < _e2173) {
+                                                                                        phi_2330_ = _e2167;
+                                                                                    } else {
+                                                                                        phi_2330_ = _e2173;
+                                                                                    }
+                                                                                    let _e2182 = phi_2330_;
+                                                                                    if (_e2165 > _e2171) {
+                                                                                        phi_2338_ = _e2165;
+                                                                                    } else {
+                                                                                        phi_2338_ = _e2171;
+                                                                                    }
+                                                                                    let _e2188 = phi_2338_;
+                                                                                    if (_e2166 > _e2172) {
+                                                                                        phi_2343_ = _e2166;
+                                                                                    } else {
+                                                                                        phi_2343_ = _e2172;
+                                                                                    }
+                                                                                    let _e2191 = phi_2343_;
+                                                                                    if (_e2167 > _e2173) {
+                                                                                        phi_2348_ = _e2167;
+                                                                                    } else {
+                                                                                        phi_2348_ = _e2173;
+                                                                                    }
+                                                                                    let _e2194 = phi_2348_;
+                                                                                    let _e2198 = core_intrinsics_maximum_number_nsz_f32_((_e2176 - _e1250), (_e2179 - _e1251));
+                                                                                    let _e2199 = core_intrinsics_maximum_number_nsz_f32_(_e2198, (_e2182 - _e1252));
+                                                                                    let _e2200 = core_intrinsics_minimum_number_nsz_f32_((_e2188 + _e1250), (_e2191 + _e1251));
+                                                                                    let _e2201 = core_intrinsics_minimum_number_nsz_f32_(_e2200, (_e2194 + _e1252));
+                                                                                    if (_e2199 > _e967) {
+                                                                                        phi_2360_ = _e2199;
+                                                                                    } else {
+                                                                                        phi_2360_ = _e967;
+                                                                                    }
+                                                                                    let _e2204 = phi_2360_;
+                                                                                    if (_e2201 < _e969) {
+                                                                                        phi_2365_ = _e2201;
+                                                                                    } else {
+                                                                                        phi_2365_ = _e969;
+                                                                                    }
+                                                                                    let _e2207 = phi_2365_;
+                                                                                    if (_e2075 < _e2204) {
+                                                                                        phi_2370_ = _e2204;
+                                                                                    } else {
+                                                                                        phi_2370_ = _e2075;
+                                                                                    }
+                                                                                    let _e2210 = phi_2370_;
+                                                                                    if (_e2210 > _e2207) {
+                                                                                        phi_2375_ = _e2207;
+                                                                                    } else {
+                                                                                        phi_2375_ = _e2210;
+                                                                                    }
+                                                                                    let _e2213 = phi_2375_;
+                                                                                    phi_2380_ = lt_bvh_triangle_Intersection(_e2213, (_e2007 / _e2066), (_e2028 / _e2066), (_e2204 <= _e2207));
+                                                                                    phi_2381_ = false;
+                                                                                } else {
+                                                                                    phi_2380_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2381_ = true;
+                                                                                }
+                                                                                let _e2219 = phi_2380_;
+                                                                                let _e2221 = phi_2381_;
+                                                                                phi_2382_ = _e2219;
+                                                                                phi_2383_ = _e2221;
                                                                             } else {
-                                                                                phi_2231_ = _e2085.x;
+                                                                                phi_2382_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2383_ = true;
                                                                             }
-                                                                            let _e2092 = phi_2231_;
-                                                                            if (_e2083.y < _e2085.y) {
-                                                                                phi_2240_ = _e2083.y;
-                                                                            } else {
-                                                                                phi_2240_ = _e2085.y;
+                                                                            let _e2223 = phi_2382_;
+                                                                            let _e2225 = phi_2383_;
+                                                                            if _e2225 {
                                                                             }
-                                                                            let _e2099 = phi_2240_;
-                                                                            if (_e2083.z < _e2085.z) {
-                                                                                phi_2249_ = _e2083.z;
-                                                                            } else {
-                                                                                phi_2249_ = _e2085.z;
-                                                                            }
-                                                                            let _e2106 = phi_2249_;
-                                                                            let _e2108 = triangles.member[(0u + _e1882)].v2_;
-                                                                            if (_e2092 < _e2108.x) {
-                                                                                phi_2258_ = _e2092;
-                                                                            } else {
-                                                                                phi_2258_ = _e2108.x;
-                                                                            }
-                                                                            let _e2113 = phi_2258_;
-                                                                            if (_e2099 < _e2108.y) {
-                                                                                phi_2265_ = _e2099;
-                                                                            } else {
-                                                                                phi_2265_ = _e2108.y;
-                                                                            }
-                                                                            let _e2118 = phi_2265_;
-                                                                            if (_e2106 < _e2108.z) {
-                                                                                phi_2272_ = _e2106;
-                                                                            } else {
-                                                                                phi_2272_ = _e2108.z;
-                                                                            }
-                                                                            let _e2123 = phi_2272_;
-                                                                            let _e2125 = triangles.member[(0u + _e1882)].v0_;
-                                                                            let _e2127 = triangles.member[(0u + _e1882)].v1_;
-                                                                            if (_e2125.x > _e2127.x) {
-                                                                                phi_2285_ = _e2125.x;
-                                                                            } else {
-                                                                                phi_2285_ = _e2127.x;
-                                                                            }
-                                                                            let _e2134 = phi_2285_;
-                                                                            if (_e2125.y > _e2127.y) {
-                                                                                phi_2294_ = _e2125.y;
-                                                                            } else {
-                                                                                phi_2294_ = _e2127.y;
-                                                                            }
-                                                                            let _e2141 = phi_2294_;
-                                                                            if (_e2125.z > _e2127.z) {
-                                                                                phi_2303_ = _e2125.z;
-                                                                            } else {
-                                                                                phi_2303_ = _e2127.z;
-                                                                            }
-                                                                            let _e2148 = phi_2303_;
-                                                                            let _e2150 = triangles.member[(0u + _e1882)].v2_;
-                                                                            if (_e2134 > _e2150.x) {
-                                                                                phi_2312_ = _e2134;
-                                                                            } else {
-                                                                                phi_2312_ = _e2150.x;
-                                                                            }
-                                                                            let _e2155 = phi_2312_;
-                                                                            if (_e2141 > _e2150.y) {
-                                                                                phi_2319_ = _e2141;
-                                                                            } else {
-                                                                                phi_2319_ = _e2150.y;
-                                                                            }
-                                                                            let _e2160 = phi_2319_;
-                                                                            if (_e2148 > _e2150.z) {
-                                                                                phi_2326_ = _e2148;
-                                                                            } else {
-                                                                                phi_2326_ = _e2150.z;
-                                                                            }
-                                                                            let _e2165 = phi_2326_;
-                                                                            let _e2169 = ((_e2113 - _e989) * _e1201);
-                                                                            let _e2170 = ((_e2118 - _e1002) * _e1211);
-                                                                            let _e2171 = ((_e2123 - _e1015) * _e1221);
-                                                                            let _e2175 = ((_e2155 - _e989) * _e1201);
-                                                                            let _e2176 = ((_e2160 - _e1002) * _e1211);
-                                                                            let _e2177 = ((_e2165 - _e1015) * _e1221);
-                                                                            if (_e2169 < _e2175) {
-                                                                                phi_2343_ = _e2169;
-                                                                            } else {
-                                                                                phi_2343_ = _e2175;
-                                                                            }
-                                                                            let _e2180 = phi_2343_;
-                                                                            if (_e2170 < _e2176) {
-                                                                                phi_2348_ = _e2170;
-                                                                            } else {
-                                                                                phi_2348_ = _e2176;
-                                                                            }
-                                                                            let _e2183 = phi_2348_;
-                                                                            if (_e2171 < _e2177) {
-                                                                                phi_2353_ = _e2171;
-                                                                            } else {
-                                                                                phi_2353_ = _e2177;
-                                                                            }
-                                                                            let _e2186 = phi_2353_;
-                                                                            if (_e2169 > _e2175) {
-                                                                                phi_2361_ = _e2169;
-                                                                            } else {
-                                                                                phi_2361_ = _e2175;
-                                                                            }
-                                                                            let _e2192 = phi_2361_;
-                                                                            if (_e2170 > _e2176) {
-                                                                                phi_2366_ = _e2170;
-                                                                            } else {
-                                                                                phi_2366_ = _e2176;
-                                                                            }
-                                                                            let _e2195 = phi_2366_;
-                                                                            if (_e2171 > _e2177) {
-                                                                                phi_2371_ = _e2171;
-                                                                            } else {
-                                                                                phi_2371_ = _e2177;
-                                                                            }
-                                                                            let _e2198 = phi_2371_;
-                                                                            let _e2202 = core_intrinsics_maximum_number_nsz_f32_((_e2180 - _e1256), (_e2183 - _e1257));
-                                                                            let _e2203 = core_intrinsics_maximum_number_nsz_f32_(_e2202, (_e2186 - _e1258));
-                                                                            let _e2204 = core_intrinsics_minimum_number_nsz_f32_((_e2192 + _e1256), (_e2195 + _e1257));
-                                                                            let _e2205 = core_intrinsics_minimum_number_nsz_f32_(_e2204, (_e2198 + _e1258));
-                                                                            if (_e2203 > _e970) {
-                                                                                phi_2383_ = _e2203;
-                                                                            } else {
-                                                                                phi_2383_ = _e970;
-                                                                            }
-                                                                            let _e2208 = phi_2383_;
-                                                                            if (_e2205 < _e972) {
-                                                                                phi_2388_ = _e2205;
-                                                                            } else {
-                                                                                phi_2388_ = _e972;
-                                                                            }
-                                                                            let _e2211 = phi_2388_;
-                                                                            if (_e2081 < _e2208) {
-                                                                                phi_2393_ = _e2208;
-                                                                            } else {
-                                                                                phi_2393_ = _e2081;
-                                                                            }
-                                                                            let _e2214 = phi_2393_;
-                                                                            if (_e2214 > _e2211) {
-                                                                                phi_2398_ = _e2211;
-                                                                            } else {
-                                                                                phi_2398_ = _e2214;
-                                                                            }
-                                                                            let _e2217 = phi_2398_;
-                                                                            phi_2403_ = lt_bvh_triangle_Intersection(_e2217, (_e2013 / _e2072), (_e2034 / _e2072), (_e2208 <= _e2211));
+                                                                            phi_2387_ = _e2223;
+                                                                            phi_2388_ = _e2225;
                                                                         }
-                                                                        let _e2223 = phi_2403_;
-                                                                        phi_2404_ = _e2223;
-                                                                        phi_2405_ = _e2075;
+                                                                        let _e2227 = phi_2387_;
+                                                                        let _e2229 = phi_2388_;
+                                                                        phi_2389_ = _e2227;
+                                                                        phi_2390_ = _e2069;
+                                                                        phi_2391_ = _e2229;
                                                                     } else {
-                                                                        phi_2404_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2405_ = true;
+                                                                        phi_2389_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2390_ = true;
+                                                                        phi_2391_ = false;
                                                                     }
-                                                                    let _e2225 = phi_2404_;
-                                                                    let _e2227 = phi_2405_;
-                                                                    if _e2227 {
-                                                                        phi_2409_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2231 = phi_2389_;
+                                                                    let _e2233 = phi_2390_;
+                                                                    let _e2235 = phi_2391_;
+                                                                    if _e2233 {
+                                                                        phi_2395_ = true;
                                                                     } else {
-                                                                        phi_2409_ = _e2225;
+                                                                        phi_2395_ = _e2235;
                                                                     }
-                                                                    let _e2229 = phi_2409_;
-                                                                    if _e2229.is_hit {
-                                                                        if (_e2229.t > 0f) {
-                                                                            if (_e2229.t < _e115) {
-                                                                                let _e2236 = triangles.member[(0u + _e1882)].i0_;
-                                                                                let _e2238 = ((_e2236 & 2147483648u) == 0u);
-                                                                                if _e2238 {
-                                                                                    phi_2435_ = false;
-                                                                                    phi_2436_ = false;
+                                                                    let _e2237 = phi_2395_;
+                                                                    if _e2237 {
+                                                                        phi_2399_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2399_ = _e2231;
+                                                                    }
+                                                                    let _e2239 = phi_2399_;
+                                                                    if _e2239.is_hit {
+                                                                        if (_e2239.t > 0f) {
+                                                                            if (_e2239.t < _e116) {
+                                                                                let _e2246 = triangles.member[(0u + _e1876)].i0_;
+                                                                                let _e2248 = ((_e2246 & 2147483648u) == 0u);
+                                                                                if _e2248 {
+                                                                                    phi_2425_ = false;
+                                                                                    phi_2426_ = false;
                                                                                 } else {
                                                                                     if true {
-                                                                                        phi_2434_ = false;
+                                                                                        phi_2424_ = false;
                                                                                     } else {
-                                                                                        phi_2434_ = true;
+                                                                                        phi_2424_ = true;
                                                                                     }
-                                                                                    let _e2240 = phi_2434_;
-                                                                                    phi_2435_ = _e2240;
-                                                                                    phi_2436_ = true;
+                                                                                    let _e2250 = phi_2424_;
+                                                                                    phi_2425_ = _e2250;
+                                                                                    phi_2426_ = true;
                                                                                 }
-                                                                                let _e2242 = phi_2435_;
-                                                                                let _e2244 = phi_2436_;
-                                                                                phi_2437_ = _e2242;
-                                                                                phi_2438_ = _e2238;
-                                                                                phi_2439_ = _e2244;
+                                                                                let _e2252 = phi_2425_;
+                                                                                let _e2254 = phi_2426_;
+                                                                                phi_2427_ = _e2252;
+                                                                                phi_2428_ = _e2248;
+                                                                                phi_2429_ = _e2254;
                                                                             } else {
-                                                                                phi_2437_ = true;
-                                                                                phi_2438_ = false;
-                                                                                phi_2439_ = false;
+                                                                                phi_2427_ = true;
+                                                                                phi_2428_ = false;
+                                                                                phi_2429_ = false;
                                                                             }
-                                                                            let _e2246 = phi_2437_;
-                                                                            let _e2248 = phi_2438_;
-                                                                            let _e2250 = phi_2439_;
-                                                                            phi_2440_ = _e2246;
-                                                                            phi_2441_ = _e2248;
-                                                                            phi_2442_ = _e2250;
+                                                                            let _e2256 = phi_2427_;
+                                                                            let _e2258 = phi_2428_;
+                                                                            let _e2260 = phi_2429_;
+                                                                            phi_2430_ = _e2256;
+                                                                            phi_2431_ = _e2258;
+                                                                            phi_2432_ = _e2260;
                                                                         } else {
-                                                                            phi_2440_ = true;
-                                                                            phi_2441_ = false;
-                                                                            phi_2442_ = false;
+                                                                            phi_2430_ = true;
+                                                                            phi_2431_ = false;
+                                                                            phi_2432_ = false;
                                                                         }
-                                                                        let _e2252 = phi_2440_;
-                                                                        let _e2254 = phi_2441_;
-                                                                        let _e2256 = phi_2442_;
-                                                                        phi_2443_ = _e2252;
-                                                                        phi_2444_ = _e2254;
-                                                                        phi_2445_ = _e2256;
+                                                                        let _e2262 = phi_2430_;
+                                                                        let _e2264 = phi_2431_;
+                                                                        let _e2266 = phi_2432_;
+                                                                        phi_2433_ = _e2262;
+                                                                        phi_2434_ = _e2264;
+                                                                        phi_2435_ = _e2266;
                                                                     } else {
-                                                                        phi_2443_ = true;
-                                                                        phi_2444_ = false;
-                                                                        phi_2445_ = false;
+                                                                        phi_2433_ = true;
+                                                                        phi_2434_ = false;
+                                                                        phi_2435_ = false;
                                                                     }
-                                                                    let _e2258 = phi_2443_;
-                                                                    let _e2260 = phi_2444_;
-                                                                    let _e2262 = phi_2445_;
-                                                                    if _e2258 {
-                                                                        phi_2449_ = false;
-                                                                        phi_2450_ = false;
+                                                                    let _e2268 = phi_2433_;
+                                                                    let _e2270 = phi_2434_;
+                                                                    let _e2272 = phi_2435_;
+                                                                    if _e2268 {
+                                                                        phi_2439_ = false;
+                                                                        phi_2440_ = false;
                                                                     } else {
-                                                                        phi_2449_ = _e2260;
-                                                                        phi_2450_ = _e2262;
+                                                                        phi_2439_ = _e2270;
+                                                                        phi_2440_ = _e2272;
                                                                     }
-                                                                    let _e2264 = phi_2449_;
-                                                                    let _e2266 = phi_2450_;
-                                                                    phi_1959_ = (_e1873 & (_e1873 - 1u));
-                                                                    phi_2451_ = _e2258;
-                                                                    phi_2452_ = _e2264;
-                                                                    phi_2453_ = _e2266;
+                                                                    let _e2274 = phi_2439_;
+                                                                    let _e2276 = phi_2440_;
+                                                                    phi_1928_ = (_e1867 & (_e1867 - 1u));
+                                                                    phi_2441_ = _e2268;
+                                                                    phi_2442_ = _e2274;
+                                                                    phi_2443_ = _e2276;
                                                                 }
-                                                                let _e2268 = phi_1959_;
-                                                                let _e2270 = phi_2451_;
-                                                                let _e2272 = phi_2452_;
-                                                                let _e2274 = phi_2453_;
-                                                                local_12 = _e2272;
-                                                                local_13 = _e2274;
+                                                                let _e2278 = phi_1928_;
+                                                                let _e2280 = phi_2441_;
+                                                                let _e2282 = phi_2442_;
+                                                                let _e2284 = phi_2443_;
+                                                                local_12 = _e2282;
+                                                                local_13 = _e2284;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1958_ = _e2268;
-                                                                    break if !(_e2270);
+                                                                    phi_1927_ = _e2278;
+                                                                    break if !(_e2280);
                                                                 }
                                                             }
-                                                            let _e2277 = local_8;
-                                                            if _e2277 {
-                                                                let _e2279 = local.group_mask;
-                                                                if ((_e2279 & 4278190080u) == 0u) {
-                                                                    let _e2283 = local.len;
-                                                                    if (_e2283 == 0u) {
-                                                                        phi_2495_ = false;
+                                                            let _e2287 = local_8;
+                                                            if _e2287 {
+                                                                let _e2289 = local.group_mask;
+                                                                if ((_e2289 & 4278190080u) == 0u) {
+                                                                    let _e2293 = local.len;
+                                                                    if (_e2293 == 0u) {
+                                                                        phi_2485_ = false;
                                                                     } else {
-                                                                        let _e2287 = local.len;
-                                                                        local.len = (_e2287 - 1u);
-                                                                        let _e2290 = local.len;
-                                                                        if (_e2290 < 32u) {
+                                                                        let _e2297 = local.len;
+                                                                        local.len = (_e2297 - 1u);
+                                                                        let _e2300 = local.len;
+                                                                        if (_e2300 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2295 = local.first[(0u + _e2290)];
-                                                                        local.group = _e2295;
-                                                                        let _e2298 = local.len;
-                                                                        if (_e2298 < 32u) {
+                                                                        let _e2305 = local.first[(0u + _e2300)];
+                                                                        local.group = _e2305;
+                                                                        let _e2308 = local.len;
+                                                                        if (_e2308 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2303 = local.mask[(0u + _e2298)];
-                                                                        local.group_mask = _e2303;
-                                                                        phi_2495_ = true;
+                                                                        let _e2313 = local.mask[(0u + _e2308)];
+                                                                        local.group_mask = _e2313;
+                                                                        phi_2485_ = true;
                                                                     }
-                                                                    let _e2306 = phi_2495_;
-                                                                    phi_2496_ = _e2306;
+                                                                    let _e2316 = phi_2485_;
+                                                                    phi_2486_ = _e2316;
                                                                 } else {
-                                                                    phi_2496_ = true;
+                                                                    phi_2486_ = true;
                                                                 }
-                                                                let _e2308 = phi_2496_;
-                                                                if _e2308 {
-                                                                    let _e2310 = local.group_mask;
-                                                                    let _e2316 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2310)), 32u, (_e2310 == 0u)));
+                                                                let _e2318 = phi_2486_;
+                                                                if _e2318 {
                                                                     let _e2320 = local.group_mask;
-                                                                    let _e2334 = local.group_mask;
-                                                                    local.group_mask = (_e2334 & ~((1u << bitcast<u32>((_e2316 & 31u)))));
-                                                                    let _e2337 = local.group;
-                                                                    phi_2527_ = (_e2337 + countOneBits(((_e2320 & ~((4294967295u << bitcast<u32>((((_e2316 - 24u) ^ _e1299) & 31u))))) & 255u)));
+                                                                    let _e2326 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2320)), 32u, (_e2320 == 0u)));
+                                                                    let _e2330 = local.group_mask;
+                                                                    let _e2344 = local.group_mask;
+                                                                    local.group_mask = (_e2344 & ~((1u << bitcast<u32>((_e2326 & 31u)))));
+                                                                    let _e2347 = local.group;
+                                                                    phi_2517_ = (_e2347 + countOneBits(((_e2330 & ~((4294967295u << bitcast<u32>((((_e2326 - 24u) ^ _e1293) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2527_ = 4294967295u;
+                                                                    phi_2517_ = 4294967295u;
                                                                 }
-                                                                let _e2340 = phi_2527_;
-                                                                phi_2528_ = _e2340;
-                                                                phi_2529_ = false;
-                                                                phi_2530_ = false;
+                                                                let _e2350 = phi_2517_;
+                                                                phi_2518_ = _e2350;
+                                                                phi_2519_ = false;
+                                                                phi_2520_ = false;
                                                             } else {
-                                                                phi_2528_ = u32();
-                                                                let _e2710 = local_12;
-                                                                phi_2529_ = _e2710;
-                                                                let _e2713 = local_13;
-                                                                phi_2530_ = _e2713;
+                                                                phi_2518_ = u32();
+                                                                let _e2727 = local_12;
+                                                                phi_2519_ = _e2727;
+                                                                let _e2730 = local_13;
+                                                                phi_2520_ = _e2730;
                                                             }
-                                                            let _e2342 = phi_2528_;
-                                                            let _e2344 = phi_2529_;
-                                                            let _e2346 = phi_2530_;
-                                                            phi_1629_ = _e2342;
-                                                            let _e2717 = local_14;
-                                                            phi_2531_ = _e2717;
-                                                            phi_2532_ = false;
-                                                            phi_2533_ = _e2344;
-                                                            phi_2534_ = _e2346;
+                                                            let _e2352 = phi_2518_;
+                                                            let _e2354 = phi_2519_;
+                                                            let _e2356 = phi_2520_;
+                                                            phi_1598_ = _e2352;
+                                                            let _e2734 = local_14;
+                                                            phi_2521_ = _e2734;
+                                                            phi_2522_ = false;
+                                                            phi_2523_ = _e2354;
+                                                            phi_2524_ = _e2356;
                                                         } else {
-                                                            phi_1629_ = u32();
-                                                            phi_2531_ = false;
-                                                            phi_2532_ = true;
-                                                            phi_2533_ = false;
-                                                            phi_2534_ = false;
+                                                            phi_1598_ = u32();
+                                                            phi_2521_ = false;
+                                                            phi_2522_ = true;
+                                                            phi_2523_ = false;
+                                                            phi_2524_ = false;
                                                         }
-                                                        let _e2348 = phi_1629_;
-                                                        let _e2350 = phi_2531_;
-                                                        let _e2352 = phi_2532_;
-                                                        let _e2354 = phi_2533_;
-                                                        let _e2356 = phi_2534_;
-                                                        local_9 = _e2352;
-                                                        local_15 = _e2354;
-                                                        local_16 = _e2356;
+                                                        let _e2358 = phi_1598_;
+                                                        let _e2360 = phi_2521_;
+                                                        let _e2362 = phi_2522_;
+                                                        let _e2364 = phi_2523_;
+                                                        let _e2366 = phi_2524_;
+                                                        local_9 = _e2362;
+                                                        local_15 = _e2364;
+                                                        local_16 = _e2366;
                                                         continue;
                                                         continuing {
-                                                            phi_1628_ = _e2348;
-                                                            break if !(_e2350);
+                                                            phi_1597_ = _e2358;
+                                                            break if !(_e2360);
                                                         }
                                                     }
-                                                    let _e2359 = local_9;
-                                                    if _e2359 {
-                                                        phi_2538_ = false;
-                                                        phi_2539_ = false;
+                                                    let _e2369 = local_9;
+                                                    if _e2369 {
+                                                        phi_2528_ = false;
+                                                        phi_2529_ = false;
                                                     } else {
-                                                        let _e2724 = local_15;
-                                                        phi_2538_ = _e2724;
-                                                        let _e2727 = local_16;
-                                                        phi_2539_ = _e2727;
+                                                        let _e2741 = local_15;
+                                                        phi_2528_ = _e2741;
+                                                        let _e2744 = local_16;
+                                                        phi_2529_ = _e2744;
                                                     }
-                                                    let _e2361 = phi_2538_;
-                                                    let _e2363 = phi_2539_;
-                                                    if _e2361 {
-                                                        phi_2543_ = true;
+                                                    let _e2371 = phi_2528_;
+                                                    let _e2373 = phi_2529_;
+                                                    if _e2371 {
+                                                        phi_2533_ = true;
                                                     } else {
-                                                        phi_2543_ = _e2363;
+                                                        phi_2533_ = _e2373;
                                                     }
-                                                    let _e2365 = phi_2543_;
-                                                    if _e2365 {
-                                                        phi_2547_ = true;
+                                                    let _e2375 = phi_2533_;
+                                                    if _e2375 {
+                                                        phi_2537_ = true;
                                                     } else {
-                                                        phi_2547_ = false;
+                                                        phi_2537_ = false;
                                                     }
-                                                    let _e2367 = phi_2547_;
-                                                    phi_2548_ = _e2367;
+                                                    let _e2377 = phi_2537_;
+                                                    phi_2538_ = _e2377;
                                                 }
-                                                let _e2369 = phi_2548_;
-                                                phi_2549_ = _e2369;
-                                                phi_2550_ = _e1125;
+                                                let _e2379 = phi_2538_;
+                                                phi_2539_ = _e2379;
+                                                phi_2540_ = _e1119;
                                             } else {
-                                                phi_2549_ = bool();
-                                                phi_2550_ = true;
+                                                phi_2539_ = bool();
+                                                phi_2540_ = true;
                                             }
-                                            let _e2371 = phi_2549_;
-                                            let _e2373 = phi_2550_;
-                                            if _e2373 {
-                                                phi_2554_ = false;
+                                            let _e2381 = phi_2539_;
+                                            let _e2383 = phi_2540_;
+                                            if _e2383 {
+                                                phi_2544_ = false;
                                             } else {
-                                                phi_2554_ = _e2371;
+                                                phi_2544_ = _e2381;
                                             }
-                                            let _e2375 = phi_2554_;
-                                            if _e2375 {
-                                                phi_2558_ = false;
+                                            let _e2385 = phi_2544_;
+                                            if _e2385 {
+                                                phi_2548_ = false;
                                             } else {
-                                                phi_2558_ = true;
+                                                phi_2548_ = true;
                                             }
-                                            let _e2377 = phi_2558_;
-                                            phi_2559_ = _e2377;
+                                            let _e2387 = phi_2548_;
+                                            phi_2549_ = _e2387;
                                         } else {
-                                            phi_2559_ = true;
+                                            phi_2549_ = true;
                                         }
-                                        let _e2379 = phi_2559_;
-                                        phi_2560_ = _e2379;
+                                        let _e2389 = phi_2549_;
+                                        phi_2550_ = _e2389;
                                     } else {
-                                        phi_2560_ = true;
+                                        phi_2550_ = true;
                                     }
-                                    let _e2381 = phi_2560_;
-                                    phi_2561_ = _e2381;
+                                    let _e2391 = phi_2550_;
+                                    phi_2551_ = _e2391;
                                 } else {
-                                    phi_2561_ = true;
+                                    phi_2551_ = true;
                                 }
-                                let _e2383 = phi_2561_;
-                                if _e2383 {
+                                let _e2393 = phi_2551_;
+                                if _e2393 {
                                 }
-                                phi_1020_ = (_e909 & (_e909 - 1u));
-                                phi_2565_ = _e2383;
+                                phi_992_ = (_e906 & (_e906 - 1u));
+                                phi_2555_ = _e2393;
                             }
-                            let _e2385 = phi_1020_;
-                            let _e2387 = phi_2565_;
+                            let _e2395 = phi_992_;
+                            let _e2397 = phi_2555_;
                             continue;
                             continuing {
-                                phi_1019_ = _e2385;
-                                break if !(_e2387);
+                                phi_991_ = _e2395;
+                                break if !(_e2397);
                             }
                         }
-                        let _e2390 = local_10;
-                        if _e2390 {
-                            let _e2392 = local_1.group_mask;
-                            if ((_e2392 & 4278190080u) == 0u) {
-                                let _e2396 = local_1.len;
-                                if (_e2396 == 0u) {
-                                    phi_2607_ = false;
+                        let _e2400 = local_10;
+                        if _e2400 {
+                            let _e2402 = local_1.group_mask;
+                            if ((_e2402 & 4278190080u) == 0u) {
+                                let _e2406 = local_1.len;
+                                if (_e2406 == 0u) {
+                                    phi_2597_ = false;
                                 } else {
-                                    let _e2400 = local_1.len;
-                                    local_1.len = (_e2400 - 1u);
-                                    let _e2403 = local_1.len;
-                                    if (_e2403 < 32u) {
+                                    let _e2410 = local_1.len;
+                                    local_1.len = (_e2410 - 1u);
+                                    let _e2413 = local_1.len;
+                                    if (_e2413 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2408 = local_1.first[(0u + _e2403)];
-                                    local_1.group = _e2408;
-                                    let _e2411 = local_1.len;
-                                    if (_e2411 < 32u) {
+                                    let _e2418 = local_1.first[(0u + _e2413)];
+                                    local_1.group = _e2418;
+                                    let _e2421 = local_1.len;
+                                    if (_e2421 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2416 = local_1.mask[(0u + _e2411)];
-                                    local_1.group_mask = _e2416;
-                                    phi_2607_ = true;
+                                    let _e2426 = local_1.mask[(0u + _e2421)];
+                                    local_1.group_mask = _e2426;
+                                    phi_2597_ = true;
                                 }
-                                let _e2419 = phi_2607_;
-                                phi_2608_ = _e2419;
+                                let _e2429 = phi_2597_;
+                                phi_2598_ = _e2429;
                             } else {
-                                phi_2608_ = true;
+                                phi_2598_ = true;
                             }
-                            let _e2421 = phi_2608_;
-                            if _e2421 {
-                                let _e2423 = local_1.group_mask;
-                                let _e2429 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2423)), 32u, (_e2423 == 0u)));
+                            let _e2431 = phi_2598_;
+                            if _e2431 {
                                 let _e2433 = local_1.group_mask;
-                                let _e2447 = local_1.group_mask;
-                                local_1.group_mask = (_e2447 & ~((1u << bitcast<u32>((_e2429 & 31u)))));
-                                let _e2450 = local_1.group;
-                                phi_2639_ = (_e2450 + countOneBits(((_e2433 & ~((4294967295u << bitcast<u32>((((_e2429 - 24u) ^ _e335) & 31u))))) & 255u)));
+                                let _e2439 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2433)), 32u, (_e2433 == 0u)));
+                                let _e2443 = local_1.group_mask;
+                                let _e2457 = local_1.group_mask;
+                                local_1.group_mask = (_e2457 & ~((1u << bitcast<u32>((_e2439 & 31u)))));
+                                let _e2460 = local_1.group;
+                                phi_2629_ = (_e2460 + countOneBits(((_e2443 & ~((4294967295u << bitcast<u32>((((_e2439 - 24u) ^ _e332) & 31u))))) & 255u)));
                             } else {
-                                phi_2639_ = 4294967295u;
+                                phi_2629_ = 4294967295u;
                             }
-                            let _e2453 = phi_2639_;
-                            phi_2640_ = _e2453;
+                            let _e2463 = phi_2629_;
+                            phi_2630_ = _e2463;
                         } else {
-                            phi_2640_ = u32();
+                            phi_2630_ = u32();
                         }
-                        let _e2455 = phi_2640_;
-                        phi_690_ = _e2455;
-                        let _e2748 = local_17;
-                        phi_2641_ = _e2748;
-                        phi_2642_ = false;
+                        let _e2465 = phi_2630_;
+                        phi_662_ = _e2465;
+                        let _e2765 = local_17;
+                        phi_2631_ = _e2765;
+                        phi_2632_ = false;
                     } else {
-                        phi_690_ = u32();
-                        phi_2641_ = false;
-                        phi_2642_ = true;
+                        phi_662_ = u32();
+                        phi_2631_ = false;
+                        phi_2632_ = true;
                     }
-                    let _e2457 = phi_690_;
-                    let _e2459 = phi_2641_;
-                    let _e2461 = phi_2642_;
-                    local_11 = _e2461;
+                    let _e2467 = phi_662_;
+                    let _e2469 = phi_2631_;
+                    let _e2471 = phi_2632_;
+                    local_11 = _e2471;
                     continue;
                     continuing {
-                        phi_689_ = _e2457;
-                        break if !(_e2459);
+                        phi_661_ = _e2467;
+                        break if !(_e2469);
                     }
                 }
-                let _e2464 = local_11;
-                if _e2464 {
-                    phi_2646_ = false;
+                let _e2474 = local_11;
+                if _e2474 {
+                    phi_2636_ = false;
                 } else {
-                    phi_2646_ = true;
+                    phi_2636_ = true;
                 }
-                let _e2466 = phi_2646_;
-                if _e2466 {
-                    phi_2650_ = true;
+                let _e2476 = phi_2636_;
+                if _e2476 {
+                    phi_2640_ = true;
                 } else {
-                    phi_2650_ = false;
+                    phi_2640_ = false;
                 }
-                let _e2468 = phi_2650_;
-                phi_2651_ = _e2468;
+                let _e2478 = phi_2640_;
+                phi_2641_ = _e2478;
             }
-            let _e2470 = phi_2651_;
-            phi_2652_ = _e2470;
-            phi_2653_ = _e182;
+            let _e2480 = phi_2641_;
+            phi_2642_ = _e2480;
+            phi_2643_ = _e188;
         } else {
-            phi_2652_ = bool();
-            phi_2653_ = true;
+            phi_2642_ = bool();
+            phi_2643_ = true;
         }
-        let _e2472 = phi_2652_;
-        let _e2474 = phi_2653_;
-        if _e2474 {
-            phi_2657_ = false;
+        let _e2482 = phi_2642_;
+        let _e2484 = phi_2643_;
+        if _e2484 {
+            phi_2647_ = false;
         } else {
-            phi_2657_ = _e2472;
+            phi_2647_ = _e2482;
         }
-        let _e2476 = phi_2657_;
-        if _e2476 {
-            phi_2661_ = 0f;
+        let _e2486 = phi_2647_;
+        if _e2486 {
+            phi_2651_ = 0f;
         } else {
-            phi_2661_ = 1f;
+            phi_2651_ = 1f;
         }
-        let _e2478 = phi_2661_;
-        if (_e82 < arrayLength((&visibility.member))) {
+        let _e2488 = phi_2651_;
+        if (_e85 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e82)] = _e2478;
+        visibility.member[(0u + _e85)] = _e2488;
     }
     return;
 }

@@ -55,8 +55,9 @@ impl LightProjection {
 
 /// Whether `x` lies in [0, 1]; not so for NaN.
 #[inline]
+#[expect(clippy::manual_range_contains, reason = "rust-gpu 0.11 cannot compile RangeInclusive::contains")]
 fn is_unit(x: f32) -> bool {
-    (0.0..=1.0).contains(&x)
+    x >= 0.0 && x <= 1.0
 }
 
 #[cfg(not(target_arch = "spirv"))]

@@ -40,6 +40,7 @@ impl ColorSource for ColorTextures<'_> {
 }
 
 /// Direction of the primary ray through the centre of `px`, not normalised: length 1 along the view axis.
+#[inline]
 pub fn primary_direction(px: UVec2, p: &CameraParams) -> Vec3 {
     let x = (px.x as f32 + 0.5) / p.size.x as f32 * 2.0 - 1.0;
     let y = 1.0 - (px.y as f32 + 0.5) / p.size.y as f32 * 2.0;
@@ -47,11 +48,13 @@ pub fn primary_direction(px: UVec2, p: &CameraParams) -> Vec3 {
 }
 
 /// Unit direction from the eye through the centre of `px`.
+#[inline]
 pub fn view_direction(px: UVec2, p: &CameraParams) -> Vec3 {
     primary_direction(px, p).normalize()
 }
 
 /// The primary ray through the centre of `px`.
+#[inline]
 pub fn primary_ray(px: UVec2, p: &CameraParams) -> Ray {
     Ray::new(p.eye, primary_direction(px, p))
 }
@@ -123,6 +126,7 @@ fn shading_normal<G: Geometry>(
     if length > 0.0 { facing(world / length, face) } else { face }
 }
 
+#[inline]
 fn facing(normal: Vec3, toward: Vec3) -> Vec3 {
     if normal.dot(toward) < 0.0 { -normal } else { normal }
 }

@@ -13,6 +13,7 @@ pub const COUNT: usize = 3;
 pub const RESOLVE_WORKGROUP: u32 = 64;
 
 /// Words of a list that can hold every pixel.
+#[inline]
 pub const fn list_words(pixels: u32) -> u32 {
     LIST_START + pixels
 }
@@ -21,12 +22,14 @@ pub const fn list_words(pixels: u32) -> u32 {
 pub const MAX_WORKGROUPS_X: u32 = 32768;
 
 /// Workgroups along x and y that cover `count` listed pixels.
+#[inline]
 pub fn workgroups_for(count: u32) -> UVec2 {
     let total = count.div_ceil(RESOLVE_WORKGROUP);
     UVec2::new(total.min(MAX_WORKGROUPS_X), total.div_ceil(MAX_WORKGROUPS_X))
 }
 
 /// Which listed pixel an invocation takes.
+#[inline]
 pub fn slot_of(id: UVec3) -> u32 {
     id.y * (MAX_WORKGROUPS_X * RESOLVE_WORKGROUP) + id.x
 }

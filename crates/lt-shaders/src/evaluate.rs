@@ -23,12 +23,14 @@ impl Verdict {
 }
 
 /// Unnormalised vector from a point to the light; see [`ShadowParams::light`].
+#[inline]
 pub fn to_light(position: Vec3, light: Vec4) -> Vec3 {
     light.truncate() - position * light.w
 }
 
 /// What needs neither map nor ray: nothing visible or facing away is blocked, and what receives no shadow is lit.
 /// The last field says whether a pixel is settled so.
+#[inline]
 pub fn settle(sample: &Sample, light: Vec4) -> (Verdict, bool) {
     if !sample.is_valid() {
         return (Verdict::BLOCKED, true);
@@ -150,6 +152,7 @@ impl MapSource for FilteredVectors<'_> {
 }
 
 /// Indices of a footprint's texels (order of [`Footprint::weights`]), clamped to the map.
+#[inline]
 pub fn quad_indices(texel: IVec2, map_size: u32) -> [u32; 4] {
     let last = map_size as i32 - 1;
     let low = texel.clamp(IVec2::ZERO, IVec2::splat(last)).as_uvec2();
@@ -160,6 +163,7 @@ pub fn quad_indices(texel: IVec2, map_size: u32) -> [u32; 4] {
 
 /// Depth by which the plane with this normal falls off over one texel along x and along y, added and capped:
 /// the receiver-plane bias of a directional map (Isidoro 2006).
+#[inline]
 pub fn plane_slope(projection: &LightProjection, normal: Vec3, map_size: u32) -> f32 {
     let per = |row: Vec4| row.truncate().dot(normal) / row.truncate().length_squared();
     let (x, y, z) = (per(projection.row_x), per(projection.row_y), per(projection.row_z));

@@ -8,6 +8,7 @@ use crate::{abi::FilterParams, evaluate::TestFromParams};
 /// Taps to each side of the centre.
 pub const RADIUS: i32 = 2;
 
+#[inline]
 fn clamped(base: u32, offset: i32, size: u32) -> u32 {
     (base as i32 + offset).clamp(0, size as i32 - 1) as u32
 }
@@ -29,6 +30,7 @@ pub fn filter_x<T: TestFromParams>(texel: UVec2, p: &FilterParams, depths: &[f32
 }
 
 /// Second pass: the vectors along a column, blurred.
+#[inline]
 pub fn filter_y(texel: UVec2, p: &FilterParams, rows: &[Vec4]) -> Vec4 {
     let mut sum = Vec4::ZERO;
     let mut total = 0.0;

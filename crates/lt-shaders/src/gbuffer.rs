@@ -7,6 +7,7 @@ use crate::abi::Sample;
 /// A sample from a position texel (world xyz; w = largest absolute world coordinate of the triangle's vertices, or 0
 /// to use the position's own) and a normal texel (unit geometric normal facing the camera; zero where nothing is
 /// visible). All such surfaces receive shadows.
+#[inline]
 pub fn sample_from_texels(position: Vec4, normal: Vec4) -> Sample {
     let p = position.truncate();
     let own = p.abs().max_element();

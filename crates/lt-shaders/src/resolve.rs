@@ -6,6 +6,7 @@ use lt_math::glam::Vec4;
 use crate::{abi::Sample, evaluate::to_light, geometry::Geometry};
 
 /// The ray from just above a sample to the light: t runs to 1 at a point light, without end to a directional one.
+#[inline]
 pub fn shadow_ray(sample: &Sample, light: Vec4) -> Ray {
     let origin = offset_origin(sample.position, sample.normal, sample.magnitude);
     let tmax = if light.w == 0.0 { FAR } else { 1.0 };

@@ -16,6 +16,7 @@ const BOUNCE: Vec3 = Vec3::new(0.16, 0.14, 0.12);
 const SKY_STRENGTH: f32 = 0.42;
 
 /// Colour of one pixel, sRGB in three bytes from the lowest, alpha 255.
+#[inline]
 pub fn shade(px: UVec2, sample: &Sample, visibility: f32, p: &ShadeParams) -> u32 {
     let view = view_direction(px, &p.camera);
     if !sample.is_valid() {
@@ -35,30 +36,36 @@ pub fn shade(px: UVec2, sample: &Sample, visibility: f32, p: &ShadeParams) -> u3
     pack_srgb(lit.lerp(HORIZON, haze))
 }
 
+#[inline]
 fn sky(view: Vec3) -> Vec3 {
     let height = if view.y > 0.0 { view.y } else { 0.0 };
     HORIZON.lerp(ZENITH, 1.0 - (1.0 - height) * (1.0 - height))
 }
 
 /// Linear RGB in [0, 1] to the albedo word of a [`Sample`]: three bytes of square roots.
+#[inline]
 pub fn pack_albedo(linear: Vec3) -> u32 {
     pack_bytes(Vec3::new(sqrt(unit(linear.x)), sqrt(unit(linear.y)), sqrt(unit(linear.z))))
 }
 
+#[inline]
 fn unpack_albedo(word: u32) -> Vec3 {
     let root = crate::texture::unorm_bytes(word).truncate();
     root * root
 }
 
+#[inline]
 fn pack_srgb(linear: Vec3) -> u32 {
     pack_bytes(Vec3::new(srgb(linear.x), srgb(linear.y), srgb(linear.z))) | 0xff00_0000
 }
 
+#[inline]
 fn pack_bytes(v: Vec3) -> u32 {
     (v.x * 255.0 + 0.5) as u32 | ((v.y * 255.0 + 0.5) as u32) << 8 | ((v.z * 255.0 + 0.5) as u32) << 16
 }
 
 /// sRGB encoding within 0.002 by roots alone, so that CPU and GPU agree on the bits.
+#[inline]
 fn srgb(linear: f32) -> f32 {
     let x = unit(linear);
     let (r2, r4) = (sqrt(x), sqrt(sqrt(x)));
@@ -66,6 +73,7 @@ fn srgb(linear: f32) -> f32 {
 }
 
 /// Into [0, 1]; NaN becomes 0.
+#[inline]
 fn unit(x: f32) -> f32 {
     if x > 0.0 {
         if x < 1.0 { x } else { 1.0 }
@@ -74,6 +82,7 @@ fn unit(x: f32) -> f32 {
     }
 }
 
+#[inline]
 fn sqrt(x: f32) -> f32 {
     lt_math::float::sqrt(x)
 }

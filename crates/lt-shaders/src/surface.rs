@@ -9,6 +9,7 @@ use crate::{
 };
 
 /// The vertices of a triangle blended at a point.
+#[inline]
 pub fn texture_coordinate(corners: &[Vertex; 3], weights: Vec3) -> Vec2 {
     Vec2::new(corners[0].u, corners[0].v) * weights.x
         + Vec2::new(corners[1].u, corners[1].v) * weights.y
@@ -16,6 +17,7 @@ pub fn texture_coordinate(corners: &[Vertex; 3], weights: Vec3) -> Vec2 {
 }
 
 /// Vertex colour blended at a point, linear RGBA.
+#[inline]
 pub fn vertex_color(corners: &[Vertex; 3], weights: Vec3) -> Vec4 {
     unorm_bytes(corners[0].color) * weights.x
         + unorm_bytes(corners[1].color) * weights.y
@@ -23,17 +25,20 @@ pub fn vertex_color(corners: &[Vertex; 3], weights: Vec3) -> Vec4 {
 }
 
 /// Weights of the three vertices from barycentric u and v.
+#[inline]
 pub fn barycentric_weights(u: f32, v: f32) -> Vec3 {
     Vec3::new(1.0 - u - v, u, v)
 }
 
 /// The vertices of a triangle.
+#[inline]
 pub fn corners_of(triangle: &Triangle, vertices: &[Vertex]) -> [Vertex; 3] {
     let indices = triangle.indices();
     [vertices[indices[0] as usize], vertices[indices[1] as usize], vertices[indices[2] as usize]]
 }
 
 /// Whether a surface covers a point: factor × texture × vertex alpha against the cut-off (glTF 2.0, §3.9.4).
+#[inline]
 pub fn covers(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_texels: &[u32]) -> bool {
     if material.cutoff <= 0.0 {
         return true;
@@ -52,6 +57,7 @@ pub fn covers(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_t
 }
 
 /// Whether a surface blocks light at a point: it casts, and it covers the point.
+#[inline]
 pub fn blocks(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_texels: &[u32]) -> bool {
     material.flags & Material::CASTS != 0 && covers(material, corners, weights, alpha_texels)
 }
@@ -81,11 +87,13 @@ impl AnyHit for Coverage<'_> {
 }
 
 /// Colour of a surface without texture, linear RGB.
+#[inline]
 pub fn plain_color(material: &Material, corners: &[Vertex; 3], weights: Vec3) -> Vec3 {
     material.base_color.truncate() * vertex_color(corners, weights).truncate()
 }
 
 /// Colour of the surface's texture at a point, linear RGB (decoded from sRGB by squaring); white without one.
+#[inline]
 pub fn texture_color(material: &Material, corners: &[Vertex; 3], weights: Vec3, color_texels: &[u32]) -> Vec3 {
     if material.color_size == 0 {
         return Vec3::ONE;
@@ -101,6 +109,7 @@ pub fn texture_color(material: &Material, corners: &[Vertex; 3], weights: Vec3, 
 }
 
 /// A unit vector from its octahedral encoding (Cigolle et al. 2014): two 16-bit signed fractions.
+#[inline]
 pub fn octahedral_decode(word: u32) -> Vec3 {
     let x = ((word << 16) as i32 >> 16) as f32 * (1.0 / 32767.0);
     let y = (word as i32 >> 16) as f32 * (1.0 / 32767.0);
@@ -112,6 +121,7 @@ pub fn octahedral_decode(word: u32) -> Vec3 {
 
 /// The octahedral encoding of a unit vector; see [`octahedral_decode`]. Never yields [`Vertex::NO_NORMAL`].
 #[cfg(not(target_arch = "spirv"))]
+#[inline]
 pub fn octahedral_encode(n: Vec3) -> u32 {
     let n = n / (n.x.abs() + n.y.abs() + n.z.abs());
     let (mut x, mut y) = (n.x, n.y);

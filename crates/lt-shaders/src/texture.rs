@@ -53,6 +53,7 @@ struct Axis {
     fraction: f32,
 }
 
+#[inline]
 fn axis(coordinate: f32, size: u32, wrap: u32, is_nearest: bool) -> Axis {
     let unit = wrap_to_unit(coordinate, wrap);
     let last = size - 1;
@@ -74,6 +75,7 @@ fn axis(coordinate: f32, size: u32, wrap: u32, is_nearest: bool) -> Axis {
     }
 }
 
+#[inline]
 fn wrap_to_unit(coordinate: f32, wrap: u32) -> f32 {
     let unit = if wrap == Material::REPEAT {
         coordinate - floor(coordinate)
@@ -92,11 +94,13 @@ fn wrap_to_unit(coordinate: f32, wrap: u32) -> f32 {
 }
 
 /// Byte `index` of a buffer of packed bytes, as a fraction of 255.
+#[inline]
 pub fn unorm_byte(words: &[u32], index: u32) -> f32 {
     ((words[(index >> 2) as usize] >> ((index & 3) * 8)) & 255) as f32 * (1.0 / 255.0)
 }
 
 /// The four bytes of a word, lowest first, as fractions of 255.
+#[inline]
 pub fn unorm_bytes(word: u32) -> Vec4 {
     Vec4::new((word & 255) as f32, (word >> 8 & 255) as f32, (word >> 16 & 255) as f32, (word >> 24) as f32)
         * (1.0 / 255.0)
