@@ -168,6 +168,12 @@ impl Allocator {
         })
     }
 
+    /// Waits for everything submitted.
+    pub fn wait(&self) -> Result<(), RenderError> {
+        let status = self.device.poll(wgpu::PollType::wait_indefinitely());
+        status.map(|_| ()).map_err(|e| self.error(format!("waiting for the device failed: {e}")))
+    }
+
     /// Copies a buffer to the host and waits for it.
     pub fn read<T: Pod>(&self, queue: &wgpu::Queue, source: &wgpu::Buffer, bytes: u64) -> Result<Vec<T>, RenderError> {
         let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
@@ -180,9 +186,7 @@ impl Allocator {
         encoder.copy_buffer_to_buffer(source, 0, &staging, 0, bytes);
         queue.submit([encoder.finish()]);
         staging.map_async(wgpu::MapMode::Read, .., |_| {});
-        self.device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|e| self.error(format!("reading back failed: {e}")))?;
+        self.wait()?;
         let view = staging.get_mapped_range(..).map_err(|e| self.error(format!("reading back failed: {e}")))?;
         // The mapping is aligned to 8 bytes at least; `Pod` types here need 4 or 16, so copy bytewise.
         let mut values = vec![T::zeroed(); bytes as usize / size_of::<T>()];

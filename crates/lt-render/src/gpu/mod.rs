@@ -19,6 +19,8 @@ pub use buffers::{FrameBuffers, GpuScene};
 pub use modules::{MODULES, ShaderModule};
 pub use recorder::Recorder;
 
+use std::time::Instant;
+
 use lt_math::glam::UVec2;
 use lt_shaders::abi::{CameraParams, Sample, ShadeParams};
 use lt_shaders::doubt::{COUNT, LIST_START};
@@ -38,7 +40,10 @@ pub struct GpuBackend {
     samples: Vec<Sample>,
     encoder: Option<wgpu::CommandEncoder>,
     timestamps: Option<Timestamps>,
-    kinds: Vec<PassKind>,
+    /// A software driver: its timestamps do not bracket the work between them (seen with Mesa 22.3's lavapipe once a
+    /// render pass has run), so passes are submitted one by one and timed by the host's clock.
+    is_software: bool,
+    passes: Vec<Pass>,
 }
 
 impl GpuBackend {
@@ -52,7 +57,8 @@ impl GpuBackend {
         let recorder = Recorder::new(&device);
         let scene = recorder.upload(scene)?;
         let frame = recorder.frame_buffers(UVec2::ONE)?;
-        let timestamps = Timestamps::new(&device, &queue);
+        let is_software = info.device_type == wgpu::DeviceType::Cpu;
+        let timestamps = if is_software { None } else { Timestamps::new(&device, &queue) };
         let device_name = format!("{} ({}, {})", info.name, info.backend, info.driver_info);
         Ok(Self {
             device,
@@ -64,7 +70,8 @@ impl GpuBackend {
             samples: Vec::new(),
             encoder: None,
             timestamps,
-            kinds: Vec::new(),
+            is_software,
+            passes: Vec::new(),
         })
     }
 
@@ -72,26 +79,54 @@ impl GpuBackend {
         self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") })
     }
 
-    fn mark(&mut self, encoder: &mut wgpu::CommandEncoder) {
+    /// Records one pass between timestamps, or runs it at once on a software driver. The time stays open where only
+    /// timestamps can tell it.
+    fn timed(
+        &mut self,
+        kind: PassKind,
+        record: impl FnOnce(&mut Self, &mut wgpu::CommandEncoder) -> Result<(), RenderError>,
+    ) -> Result<(), RenderError> {
+        let mut encoder = self.encoder.take().unwrap_or_else(|| self.new_encoder());
         if let Some(t) = &mut self.timestamps {
-            t.mark(encoder);
+            t.mark(&mut encoder);
         }
+        record(self, &mut encoder)?;
+        if let Some(t) = &mut self.timestamps {
+            t.mark(&mut encoder);
+        }
+        let mut ms = None;
+        if self.is_software {
+            let start = Instant::now();
+            self.queue.submit([encoder.finish()]);
+            self.recorder.allocator().wait()?;
+            ms = Some(start.elapsed().as_secs_f64() * 1e3);
+        } else {
+            self.encoder = Some(encoder);
+        }
+        self.passes.push(Pass { kind, ms });
+        Ok(())
     }
 
-    /// Submits, and returns the time of each marked pass.
-    fn submit(&mut self, mut encoder: wgpu::CommandEncoder) -> Result<Vec<Option<f64>>, RenderError> {
+    /// Submits what is recorded and fills in the passes' times.
+    fn submit(&mut self) -> Result<Vec<Pass>, RenderError> {
+        let mut passes = std::mem::take(&mut self.passes);
+        let Some(mut encoder) = self.encoder.take() else { return Ok(passes) };
         if let Some(t) = &self.timestamps {
             t.resolve(&mut encoder);
         }
         self.queue.submit([encoder.finish()]);
-        let Some(t) = &self.timestamps else { return Ok(vec![None; self.kinds.len()]) };
-        let (buffer, bytes) = t.buffer();
-        let ticks: Vec<u64> = self.recorder.allocator().read(&self.queue, buffer, bytes)?;
-        Ok(t.milliseconds(&ticks).into_iter().map(Some).collect())
+        if let Some(t) = &self.timestamps {
+            let (buffer, bytes) = t.buffer();
+            let ticks: Vec<u64> = self.recorder.allocator().read(&self.queue, buffer, bytes)?;
+            for (pass, ms) in passes.iter_mut().zip(t.milliseconds(&ticks)) {
+                pass.ms = Some(ms);
+            }
+        }
+        Ok(passes)
     }
 
     fn restart(&mut self) {
-        self.kinds.clear();
+        self.passes.clear();
         if let Some(t) = &mut self.timestamps {
             t.restart();
         }
@@ -131,15 +166,13 @@ impl Backend for GpuBackend {
     fn camera(&mut self, params: &CameraParams, plan: &EffectPlan) -> Result<Option<f64>, RenderError> {
         self.frame = self.recorder.frame_buffers(params.size)?;
         self.restart();
-        self.kinds.push(PassKind::Camera);
-        let mut encoder = self.new_encoder();
-        self.mark(&mut encoder);
-        self.recorder.camera(&mut encoder, &self.scene, &self.frame, params, plan)?;
-        self.mark(&mut encoder);
-        let times = self.submit(encoder)?;
+        self.timed(PassKind::Camera, |this, encoder| {
+            this.recorder.camera(encoder, &this.scene, &this.frame, params, plan)
+        })?;
+        let passes = self.submit()?;
         let bytes = self.pixels() * size_of::<Sample>() as u64;
         self.samples = self.recorder.allocator().read(&self.queue, &self.frame.samples, bytes)?;
-        Ok(times.first().copied().flatten())
+        Ok(passes.first().and_then(|p| p.ms))
     }
 
     fn samples(&mut self) -> Result<Vec<Sample>, RenderError> {
@@ -149,24 +182,15 @@ impl Backend for GpuBackend {
     fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError> {
         self.recorder.prepare(&mut self.frame, job)?;
         self.restart();
-        self.encoder = Some(self.new_encoder());
         Ok(())
     }
 
     fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
-        let mut encoder = self.encoder.take().unwrap_or_else(|| self.new_encoder());
-        self.kinds.push(kind);
-        self.mark(&mut encoder);
-        self.recorder.pass(&mut encoder, &self.scene, &self.frame, kind, job)?;
-        self.mark(&mut encoder);
-        self.encoder = Some(encoder);
-        Ok(())
+        self.timed(kind, |this, encoder| this.recorder.pass(encoder, &this.scene, &this.frame, kind, job))
     }
 
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError> {
-        let encoder = self.encoder.take().unwrap_or_else(|| self.new_encoder());
-        let times = self.submit(encoder)?;
-        let passes = self.kinds.iter().zip(times).map(|(&kind, ms)| Pass { kind, ms }).collect();
+        let passes = self.submit()?;
         let bytes = self.pixels() * 4;
         let visibility = self.recorder.allocator().read(&self.queue, &self.frame.visibility, bytes)?;
         let (doubt, rays) = self.doubt(job)?;
