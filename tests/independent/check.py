@@ -19,6 +19,7 @@ except ImportError as missing:
     print(f"skipped: {missing}; python3 -m pip install embreex numpy pillow OpenEXR")
     sys.exit(77)
 
+
 class Tracer:
     """Nearest surfaces by Embree's robust mode; a hole is passed by starting again just behind it."""
 
@@ -68,7 +69,7 @@ def main():
     options.add_argument("--light-dir", type=numbers, help="direction in which the light travels; else the dump's")
     options.add_argument("--ground", type=numbers, help="y,half: the square that lt was asked to add")
     options.add_argument("--channel", default="reference", help="or visibility: what the technique says")
-    options.add_argument("--offset", type=float, default=1e-6, help="of ray origins, in units of |point| + |point - eye|")
+    options.add_argument("--offset", type=float, default=1e-6, help="of ray origins, times |point| + |point - eye|")
     options.add_argument("--max-ppm", type=float, default=100)
     options.add_argument("--self-test", action="store_true", help="also turn one answer in 1000 over: must be caught")
     args = options.parse_args()
@@ -127,6 +128,6 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except (Refused, OSError, KeyError, ValueError) as why:
+    except (Refused, OSError, KeyError, ValueError, RuntimeError) as why:
         print(f"cannot judge: {type(why).__name__}: {why}", file=sys.stderr)
         sys.exit(2)

@@ -49,8 +49,9 @@ class Model:
     def add(self, primitive, matrix):
         of = primitive["attributes"]
         points = self.read(of["POSITION"]) @ matrix[:3, :3].T + matrix[:3, 3]
-        order = self.read(primitive["indices"]).astype(int).ravel() if "indices" in primitive else np.arange(len(points))
-        mode = primitive.get("mode", 4)
+        order, mode = np.arange(len(points)), primitive.get("mode", 4)
+        if "indices" in primitive:
+            order = self.read(primitive["indices"]).astype(int).ravel()
         if mode == 4:
             corners = order[: len(order) // 3 * 3].reshape(-1, 3)
         else:
@@ -89,7 +90,8 @@ class Model:
         found["factor"] = pbr.get("baseColorFactor", [1, 1, 1, 1])[3]
         if (used := pbr.get("baseColorTexture")) is None:
             return found
-        texture, more = self.json["textures"][used["index"]], used.get("extensions", {}).get("KHR_texture_transform", {})
+        texture = self.json["textures"][used["index"]]
+        more = used.get("extensions", {}).get("KHR_texture_transform", {})
         view = self.json["bufferViews"][self.json["images"][texture["source"]]["bufferView"]]
         start = view.get("byteOffset", 0)
         image = Image.open(io.BytesIO(self.bin[start : start + view["byteLength"]])).convert("RGBA")

@@ -57,7 +57,9 @@ fn a_bare_surface_never_shadows_itself() {
         for slope in [0.0f32, 0.1, 1.0, 10.0, 100.0] {
             let direction = Vec3::new(slope, -1.0, 0.3 * slope);
             let scene = floor(scale, direction);
-            for id in ["ray", "sm", "pcf", "vsm", "ltt-vsm", "ltt-esm", "ltt-evsm", "ltt-msm", "ltt-msm-hausdorff"] {
+            for id in
+                ["ray", "sm", "pcf", "vsm", "ltt-vsm", "ltt-esm", "ltt-evsm", "ltt-msm", "ltt-msm-hausdorff"]
+            {
                 let lit = visibility(&scene, id);
                 let dark = lit.iter().filter(|v| !(**v >= 0.5)).count();
                 assert_eq!(dark, 0, "{id}, scale {scale}, light {direction}: {dark} dark pixels");
@@ -114,7 +116,20 @@ fn degenerate_triangles_do_no_harm() {
         Vec3::new(2.0, 1.0, 0.0),
     ]);
     // NaN, infinity, collinear, and thrice the same vertex.
-    mesh.indices.extend([0, 1, first, 0, 1, first + 1, first + 2, first + 3, first + 4, first + 2, first + 2, first + 2]);
+    mesh.indices.extend([
+        0,
+        1,
+        first,
+        0,
+        1,
+        first + 1,
+        first + 2,
+        first + 3,
+        first + 4,
+        first + 2,
+        first + 2,
+        first + 2,
+    ]);
     let setup = Setup { map_size: 512, ..Setup::for_scene(&scene, 240, 160) };
     let session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
     assert_eq!(session.info().stats.dropped, 4);
@@ -124,7 +139,8 @@ fn degenerate_triangles_do_no_harm() {
 #[test]
 fn empty_and_invisible_scenes_render() {
     let empty = Scene::default();
-    let mut session = Session::new(&empty, Setup::for_scene(&empty, 16, 16), BackendKind::Cpu).expect("session");
+    let mut session =
+        Session::new(&empty, Setup::for_scene(&empty, 16, 16), BackendKind::Cpu).expect("session");
     for (technique, _) in Technique::catalogue() {
         let frame = session.render(&technique).expect("frame");
         assert_eq!(frame.rays, 0);
@@ -139,7 +155,13 @@ fn impossible_setups_are_refused_with_a_reason() {
     let mut bad = Vec::new();
     bad.push(Setup { size: [0, 4].into(), ..good.clone() });
     bad.push(Setup { map_size: 100, ..good.clone() });
-    bad.push(Setup { light: Light { kind: lt_scene::LightKind::Directional { direction: Vec3::ZERO }, ..good.light.clone() }, ..good.clone() });
+    bad.push(Setup {
+        light: Light {
+            kind: lt_scene::LightKind::Directional { direction: Vec3::ZERO },
+            ..good.light.clone()
+        },
+        ..good.clone()
+    });
     bad.push(Setup { camera: Camera { target: good.camera.eye, ..good.camera.clone() }, ..good.clone() });
     bad.push(Setup { camera: Camera { fov_y_rad: f32::NAN, ..good.camera.clone() }, ..good });
     for setup in bad {
@@ -152,7 +174,9 @@ fn impossible_setups_are_refused_with_a_reason() {
 fn flags_decide_who_casts_and_who_receives() {
     let floor_scene = floor(1.0, Vec3::NEG_Y);
     let roof = Mesh {
-        positions: [[-1.0, 1.0, -1.0], [-1.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.0, -1.0]].map(Vec3::from).to_vec(),
+        positions: [[-1.0, 1.0, -1.0], [-1.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.0, -1.0]]
+            .map(Vec3::from)
+            .to_vec(),
         indices: vec![0, 1, 2, 0, 2, 3],
         ..Mesh::default()
     };

@@ -18,7 +18,8 @@ fn the_leak_tracing_test_mends_each_map_with_a_fraction_of_the_rays() {
         let truth = session.render(&Technique::RAY).expect("frame");
         for id in ["vsm", "esm", "evsm", "msm", "msm-hausdorff"] {
             let (map, _) = errors(&mut session, &truth.visibility, &id.parse().expect("id"));
-            let (hybrid, rays) = errors(&mut session, &truth.visibility, &format!("ltt-{id}").parse().expect("id"));
+            let (hybrid, rays) =
+                errors(&mut session, &truth.visibility, &format!("ltt-{id}").parse().expect("id"));
             let wrong = |e: &metrics::Errors| e.false_lit + e.false_shadowed;
             assert!(wrong(&map) > 0, "{name} {id}: the map alone errs somewhere");
             assert!(wrong(&hybrid) < wrong(&map), "{name} {id}: {} → {}", wrong(&map), wrong(&hybrid));
@@ -45,7 +46,8 @@ fn surfaces_that_face_away_are_dark_and_cost_nothing() {
     let mut session = cpu_session(&scene, 200, 120);
     let frame = session.render(&Technique::RAY).expect("frame");
     let lt_scene::LightKind::Directional { direction } = session.setup().light.kind else { panic!("a sun") };
-    let faces: Vec<bool> = session.samples().iter().map(|s| s.is_valid() && s.normal.dot(-direction) > 0.0).collect();
+    let faces: Vec<bool> =
+        session.samples().iter().map(|s| s.is_valid() && s.normal.dot(-direction) > 0.0).collect();
     assert_eq!(frame.rays, faces.iter().filter(|f| **f).count() as u64);
     for (visibility, faces) in frame.visibility.iter().zip(&faces) {
         assert!(*faces || *visibility == 0.0);

@@ -23,7 +23,8 @@ fn every_real_scene_renders_alike_on_cpu_and_gpu() {
         return;
     };
     let views: serde_json::Value =
-        serde_json::from_str(&std::fs::read_to_string(folder.join("views.json")).expect("readable")).expect("json");
+        serde_json::from_str(&std::fs::read_to_string(folder.join("views.json")).expect("readable"))
+            .expect("json");
     for (name, view) in views.as_object().expect("an object of views") {
         let path = folder.join(format!("{name}.glb"));
         if !path.exists() {
@@ -32,7 +33,10 @@ fn every_real_scene_renders_alike_on_cpu_and_gpu() {
         let source = Source::open(&path.to_string_lossy(), 1).unwrap_or_else(|e| panic!("{name}: {e}"));
         let mut scene = source.pose(0.0).unwrap_or_else(|e| panic!("{name}: {e}"));
         if let Some(ground) = view["ground"].as_array() {
-            scene.add_ground(ground[0].as_f64().expect("y") as f32, ground[1].as_f64().expect("half size") as f32);
+            scene.add_ground(
+                ground[0].as_f64().expect("y") as f32,
+                ground[1].as_f64().expect("half size") as f32,
+            );
         }
         let fov = view["fov"].as_f64().unwrap_or(55.0) as f32;
         let camera = Camera {
@@ -53,7 +57,8 @@ fn every_real_scene_renders_alike_on_cpu_and_gpu() {
 }
 
 fn agree(name: &str, scene: &lt_scene::Scene, setup: Setup) {
-    let mut cpu = Session::new(scene, setup.clone(), BackendKind::Cpu).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let mut cpu =
+        Session::new(scene, setup.clone(), BackendKind::Cpu).unwrap_or_else(|e| panic!("{name}: {e}"));
     let truth = cpu.render(&Technique::RAY).expect("frame");
     assert!(truth.rays > 1000, "{name}: the view sees the scene");
     let Some(mut gpu) = gpu_session(scene, setup) else { return };

@@ -19,7 +19,10 @@ fn visible_samples_agree() {
     for name in SCENES {
         let Some((cpu, gpu)) = pair(name, 320, 200) else { return };
         let flat = |s: &Session| -> Vec<f32> {
-            s.samples().iter().flat_map(|s| s.position.to_array().into_iter().chain(s.normal.to_array())).collect()
+            s.samples()
+                .iter()
+                .flat_map(|s| s.position.to_array().into_iter().chain(s.normal.to_array()))
+                .collect()
         };
         let (a, b) = (flat(&cpu), flat(&gpu));
         let extent = a.iter().fold(0f32, |m, x| m.max(x.abs()));
@@ -34,20 +37,31 @@ fn every_technique_agrees() {
         let Some((mut cpu, mut gpu)) = pair(name, 320, 200) else { return };
         let pixels = cpu.samples().len();
         let mut techniques: Vec<Technique> = Technique::catalogue().into_iter().map(|t| t.0).collect();
-        techniques.extend(["ltt-vsm:prefiltered", "ltt-evsm:prefiltered", "msm:prefiltered", "esm:prefiltered"]
-            .map(|id| id.parse().expect("a known id")));
+        techniques.extend(
+            ["ltt-vsm:prefiltered", "ltt-evsm:prefiltered", "msm:prefiltered", "esm:prefiltered"]
+                .map(|id| id.parse().expect("a known id")),
+        );
         for technique in techniques {
             let a = cpu.render(&technique).expect("CPU frame");
             let b = gpu.render(&technique).expect("GPU frame");
             // Soft estimates may differ a little where a depth differs in its last bit; a decision may not.
-            let wrong = a.visibility.iter().zip(&b.visibility).filter(|(x, y)| (**x >= 0.5) != (**y >= 0.5)).count();
+            let wrong =
+                a.visibility.iter().zip(&b.visibility).filter(|(x, y)| (**x >= 0.5) != (**y >= 0.5)).count();
             let doubts = a.doubt.iter().zip(&b.doubt).filter(|(x, y)| x != y).count();
             // 64,000 pixels: 20 ppm is one pixel, so allow what the bound means at 1080p per edge pixel instead.
             let allowed = (pixels as f64 * TWIN_PPM * 1e-6).max(8.0) as usize;
             assert!(wrong <= allowed, "{name} {technique}: {wrong} visibilities differ");
             assert!(doubts <= allowed, "{name} {technique}: {doubts} doubts differ");
-            assert_eq!(a.passes.iter().map(|p| p.kind).collect::<Vec<_>>(), b.passes.iter().map(|p| p.kind).collect::<Vec<_>>());
-            assert!(a.rays.abs_diff(b.rays) as usize <= allowed, "{name} {technique}: rays {} and {}", a.rays, b.rays);
+            assert_eq!(
+                a.passes.iter().map(|p| p.kind).collect::<Vec<_>>(),
+                b.passes.iter().map(|p| p.kind).collect::<Vec<_>>()
+            );
+            assert!(
+                a.rays.abs_diff(b.rays) as usize <= allowed,
+                "{name} {technique}: rays {} and {}",
+                a.rays,
+                b.rays
+            );
             assert_eq!(a.map_bytes, b.map_bytes, "{name} {technique}");
         }
     }
@@ -94,7 +108,8 @@ fn an_engine_can_record_into_its_own_encoder() {
     let truth = session.render(&Technique::RAY).expect("frame").visibility;
     let packed = lt_render::PackedScene::new(&scene).expect("packed");
     let size = UVec2::new(64, 48);
-    let texels = |f: &dyn Fn(&lt_render::Sample) -> [f32; 4]| session.samples().iter().map(f).collect::<Vec<_>>();
+    let texels =
+        |f: &dyn Fn(&lt_render::Sample) -> [f32; 4]| session.samples().iter().map(f).collect::<Vec<_>>();
     let positions = texels(&|s| s.position.extend(s.magnitude).to_array());
     let normals = texels(&|s| s.normal.extend(0.0).to_array());
     let texture = |data: &[[f32; 4]]| upload(&device, &queue, size, data);
@@ -126,7 +141,12 @@ fn an_engine_can_record_into_its_own_encoder() {
     assert_eq!(count_different(&truth, &result, 0.0), 0);
 }
 
-fn upload(device: &wgpu::Device, queue: &wgpu::Queue, size: lt_math::glam::UVec2, data: &[[f32; 4]]) -> wgpu::TextureView {
+fn upload(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    size: lt_math::glam::UVec2,
+    data: &[[f32; 4]],
+) -> wgpu::TextureView {
     use wgpu::util::DeviceExt;
     let bytes: Vec<u8> = data.iter().flatten().flat_map(|f| f.to_le_bytes()).collect();
     let descriptor = wgpu::TextureDescriptor {
@@ -139,7 +159,8 @@ fn upload(device: &wgpu::Device, queue: &wgpu::Queue, size: lt_math::glam::UVec2
         usage: wgpu::TextureUsages::TEXTURE_BINDING,
         view_formats: &[],
     };
-    let texture = device.create_texture_with_data(queue, &descriptor, wgpu::util::TextureDataOrder::LayerMajor, &bytes);
+    let texture =
+        device.create_texture_with_data(queue, &descriptor, wgpu::util::TextureDataOrder::LayerMajor, &bytes);
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 

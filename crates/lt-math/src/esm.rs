@@ -47,12 +47,7 @@ impl ShadowTest for Esm {
     fn visibility_of_gather(&self, depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
         let c = self.clamped_exponent();
         let d = float::saturate(receiver_depth);
-        let ratios = Vec4::new(
-            float::exp(c * (float::saturate(depths.x) - d)),
-            float::exp(c * (float::saturate(depths.y) - d)),
-            float::exp(c * (float::saturate(depths.z) - d)),
-            float::exp(c * (float::saturate(depths.w) - d)),
-        );
+        let ratios = float::exp4(c * (float::saturate4(depths) - Vec4::splat(d)));
         float::saturate(float::dot4(ratios, weights))
     }
 }

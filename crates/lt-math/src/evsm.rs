@@ -78,23 +78,13 @@ impl ShadowTest for Evsm {
 
     fn visibility_of_gather(&self, depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
         let d = float::saturate(receiver_depth);
-        let offsets = Vec4::new(
-            float::saturate(depths.x) - d,
-            float::saturate(depths.y) - d,
-            float::saturate(depths.z) - d,
-            float::saturate(depths.w) - d,
-        );
+        let offsets = float::saturate4(depths) - Vec4::splat(d);
         let c = self.positive();
         let positive =
-            chebyshev::from_offsets(warp(offsets, c) - Vec4::ONE, weights, self.min_variance * c * c);
+            chebyshev::from_offsets(float::exp4(c * offsets) - Vec4::ONE, weights, self.min_variance * c * c);
         let c = self.negative();
         let negative =
-            chebyshev::from_offsets(Vec4::ONE - warp(offsets, -c), weights, self.min_variance * c * c);
+            chebyshev::from_offsets(Vec4::ONE - float::exp4(-c * offsets), weights, self.min_variance * c * c);
         float::saturate(float::min(positive, negative))
     }
-}
-
-/// e^{c·z} of each channel.
-fn warp(z: Vec4, c: f32) -> Vec4 {
-    Vec4::new(float::exp(c * z.x), float::exp(c * z.y), float::exp(c * z.z), float::exp(c * z.w))
 }

@@ -3,6 +3,7 @@
 //! `exp` is a range reduction by powers of two (Cody & Waite 1980) followed by a Taylor polynomial of degree 7. Nothing
 //! but `+ − ×`, `floor` and integer bits is used, so that CPU and GPU return the same bits.
 
+pub use crate::lanes::{exp4, saturate4};
 use glam::Vec4;
 
 /// The largest argument that [`exp`] does not clamp; `exp(88) = 1.65e38` is still finite in f32.
@@ -13,6 +14,11 @@ pub const EXP_MIN_ARGUMENT: f32 = -87.0;
 
 /// Stated bound of [`exp`]'s relative error against an exact exponential of the same (clamped) f32 argument.
 pub const EXP_MAX_RELATIVE_ERROR: f32 = 2.0e-7;
+
+/// ln 2 in two parts (as in fdlibm): this one has trailing zeros, so that k·LN2_HIGH is exact for |k| ≤ 128.
+pub(crate) const LN2_HIGH: f32 = 0.693_145_75;
+pub(crate) const LN2_LOW: f32 = 1.428_606_8e-6;
+pub(crate) const LOG2_E: f32 = core::f32::consts::LOG2_E;
 
 /// Square root; NaN for negative values on the CPU, undefined there on a GPU: test the sign first.
 #[inline]
@@ -61,25 +67,14 @@ pub fn saturate(x: f32) -> f32 {
 /// The larger of the two, or a NaN if either is one.
 #[inline]
 pub fn max(a: f32, b: f32) -> f32 {
-    if is_nan(a) {
-        a
-    } else if is_nan(b) || b > a {
-        b
-    } else {
-        a
-    }
+    // A NaN in `a` fails the comparison and is returned.
+    if is_nan(b) || b > a { b } else { a }
 }
 
 /// The smaller of the two, or a NaN if either is one.
 #[inline]
 pub fn min(a: f32, b: f32) -> f32 {
-    if is_nan(a) {
-        a
-    } else if is_nan(b) || b < a {
-        b
-    } else {
-        a
-    }
+    if is_nan(b) || b < a { b } else { a }
 }
 
 /// `a.x·b.x + a.y·b.y + a.z·b.z + a.w·b.w`, summed left to right; glam's SIMD order differs between machines.
@@ -93,11 +88,6 @@ pub fn dot4(a: Vec4, b: Vec4) -> f32 {
 /// Never infinite, zero or subnormal. NaN gives NaN.
 #[inline]
 pub fn exp(x: f32) -> f32 {
-    // ln 2 in two parts (as in fdlibm): the first has trailing zeros, so that k·LN2_HIGH is exact for |k| ≤ 128.
-    const LN2_HIGH: f32 = 0.693_145_75;
-    const LN2_LOW: f32 = 1.428_606_8e-6;
-    const LOG2_E: f32 = core::f32::consts::LOG2_E;
-
     if is_nan(x) {
         return x;
     }

@@ -1,6 +1,7 @@
 //! Bilinear footprints: which four texels surround a position, how much each counts, and the blend of four vectors.
 
 use crate::float;
+use crate::lanes::step4;
 use glam::{IVec2, Vec2, Vec4};
 
 /// The 2×2 texels around a position and their bilinear weights.
@@ -40,13 +41,7 @@ pub fn blend(b0: Vec4, b1: Vec4, b2: Vec4, b3: Vec4, weights: Vec4) -> Vec4 {
 /// NaN if any input is NaN.
 #[inline]
 pub fn lit_fraction(depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
-    let tests = Vec4::new(
-        step(depths.x, receiver_depth),
-        step(depths.y, receiver_depth),
-        step(depths.z, receiver_depth),
-        step(depths.w, receiver_depth),
-    );
-    float::dot4(tests, weights)
+    float::dot4(step4(depths, receiver_depth), weights)
 }
 
 /// 1 if `depth` ≥ `receiver_depth`, 0 if smaller, NaN if either is NaN.

@@ -2,20 +2,24 @@
 
 use crate::hankel::HankelFactors;
 use crate::moments::{DEFAULT_MOMENT_BIAS, bias_moments, moments_of_depth};
-use crate::{ShadowTest, float, hamburger, hausdorff};
+use crate::{ShadowTest, float, four_atoms, hamburger, hausdorff};
 use glam::Vec4;
 
 /// Moment shadow map answered by the Hamburger bound: stores (z, z², z³, z⁴).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MsmHamburger {
-    /// Share by which moments move towards ½ before solving; larger is more stable and less sharp.
+    /// Share by which filtered moments move towards ½ before solving; larger is more stable and less sharp.
+    ///
+    /// The gather form knows the depths themselves, loses nothing to rounding, and needs no bias.
     pub moment_bias: f32,
 }
 
 /// Moment shadow map answered by the Hausdorff bound, which also uses that depths lie in [0, 1].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MsmHausdorff {
-    /// Share by which moments move towards ½ before solving; larger is more stable and less sharp.
+    /// Share by which filtered moments move towards ½ before solving; larger is more stable and less sharp.
+    ///
+    /// The gather form knows the depths themselves, loses nothing to rounding, and needs no bias.
     pub moment_bias: f32,
 }
 
@@ -40,6 +44,10 @@ impl ShadowTest for MsmHamburger {
         let factors = HankelFactors::new(bias_moments(filtered, self.moment_bias));
         hamburger::upper_bound(&factors, float::saturate(receiver_depth))
     }
+
+    fn visibility_of_gather(&self, depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
+        four_atoms::hamburger_upper_bound(depths, weights, receiver_depth)
+    }
 }
 
 impl ShadowTest for MsmHausdorff {
@@ -50,5 +58,9 @@ impl ShadowTest for MsmHausdorff {
     fn visibility(&self, filtered: Vec4, receiver_depth: f32) -> f32 {
         let factors = HankelFactors::new(bias_moments(filtered, self.moment_bias));
         hausdorff::upper_bound(&factors, float::saturate(receiver_depth))
+    }
+
+    fn visibility_of_gather(&self, depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
+        four_atoms::hausdorff_upper_bound(depths, weights, receiver_depth)
     }
 }

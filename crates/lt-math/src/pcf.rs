@@ -30,12 +30,7 @@ impl ShadowTest for Pcf {
 
     /// Σ wᵢ [zᵢ + bias ≥ d]: exact for the footprint, up to the bias (eq. 1).
     fn visibility_of_gather(&self, depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
-        let biased = Vec4::new(
-            float::saturate(depths.x) + self.bias,
-            float::saturate(depths.y) + self.bias,
-            float::saturate(depths.z) + self.bias,
-            float::saturate(depths.w) + self.bias,
-        );
+        let biased = float::saturate4(depths) + Vec4::splat(self.bias);
         float::saturate(lit_fraction(biased, weights, float::saturate(receiver_depth)))
     }
 }

@@ -35,12 +35,7 @@ impl ShadowTest for Vsm {
 
     fn visibility_of_gather(&self, depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
         let d = float::saturate(receiver_depth);
-        let offsets = Vec4::new(
-            float::saturate(depths.x) - d,
-            float::saturate(depths.y) - d,
-            float::saturate(depths.z) - d,
-            float::saturate(depths.w) - d,
-        );
+        let offsets = float::saturate4(depths) - Vec4::splat(d);
         float::saturate(chebyshev::from_offsets(offsets, weights, self.min_variance))
     }
 }

@@ -15,14 +15,24 @@ use lt_shaders::{evaluate::settle, resolve::shadow_ray, surface::Coverage};
 use obvhs::{BvhBuildParams, bvh2::builder::build_bvh2_from_tris, cwbvh::builder::build_cwbvh_from_tris};
 
 const SCENES: [&str; 10] = [
-    "street", "square", "forest", "town", "fence", "cornell", "hairball", "random:10000", "random:100000",
+    "street",
+    "square",
+    "forest",
+    "town",
+    "fence",
+    "cornell",
+    "hairball",
+    "random:10000",
+    "random:100000",
     "random:1000000",
 ];
 const REPEATS: usize = 5;
 
 fn main() {
     let wanted: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
-    println!("scene            triangles     rays |  ours simd  ours scalar  obvhs cwbvh   obvhs bvh2 | simd / best obvhs");
+    println!(
+        "scene            triangles     rays |  ours simd  ours scalar  obvhs cwbvh   obvhs bvh2 | simd / best obvhs"
+    );
     for name in SCENES.iter().map(|s| s.to_string()).chain(wanted.iter().cloned()) {
         if wanted.is_empty() || wanted.contains(&name) {
             bench(&name);
@@ -70,10 +80,17 @@ fn row<A: AnyHit>(name: &str, ours: &Bvh, rays: &[Ray], any_hit: A) {
     }
     assert_eq!(answers[0], answers[1], "{name}: SIMD and shared kernel differ");
     let differ = answers[0].iter().zip(&answers[2]).filter(|(a, b)| a != b).count();
-    let rate: Vec<f64> = times.into_iter().map(|t| rays.len() as f64 / median(t).as_secs_f64() * 1e-6).collect();
+    let rate: Vec<f64> =
+        times.into_iter().map(|t| rays.len() as f64 / median(t).as_secs_f64() * 1e-6).collect();
     println!(
         "{name:<15} {:>10} {:>8} | {:>10.2} {:>12.2} {:>12.2} {:>12.2} | {:>6.2}   ({differ} answers differ from obvhs)",
-        ours.triangles().len(), rays.len(), rate[0], rate[1], rate[2], rate[3], rate[0] / rate[2].max(rate[3])
+        ours.triangles().len(),
+        rays.len(),
+        rate[0],
+        rate[1],
+        rate[2],
+        rate[3],
+        rate[0] / rate[2].max(rate[3])
     );
 }
 
@@ -98,8 +115,10 @@ impl Obvhs {
             .iter()
             .map(|t| obvhs::triangle::Triangle { v0: corners(t.v0), v1: corners(t.v1), v2: corners(t.v2) })
             .collect();
-        let cwbvh = build_cwbvh_from_tris(&triangles, BvhBuildParams::very_slow_build(), &mut Duration::default());
-        let bvh2 = build_bvh2_from_tris(&triangles, BvhBuildParams::very_slow_build(), &mut Duration::default());
+        let cwbvh =
+            build_cwbvh_from_tris(&triangles, BvhBuildParams::very_slow_build(), &mut Duration::default());
+        let bvh2 =
+            build_bvh2_from_tris(&triangles, BvhBuildParams::very_slow_build(), &mut Duration::default());
         let in_order = |order: &[u32]| {
             order
                 .iter()
@@ -110,7 +129,8 @@ impl Obvhs {
                 })
                 .collect()
         };
-        let (cwbvh_triangles, bvh2_triangles) = (in_order(&cwbvh.primitive_indices), in_order(&bvh2.primitive_indices));
+        let (cwbvh_triangles, bvh2_triangles) =
+            (in_order(&cwbvh.primitive_indices), in_order(&bvh2.primitive_indices));
         Self { cwbvh, cwbvh_triangles, bvh2, bvh2_triangles }
     }
 
@@ -127,7 +147,11 @@ fn their_ray(ray: &Ray) -> obvhs::ray::Ray {
     obvhs::ray::Ray::new(ray.origin.into(), ray.direction.into(), ray.tmin, ray.tmax)
 }
 
-fn hit<A: AnyHit>(triangle: &(obvhs::rt_triangle::RtTriangle, u32, bool), ray: &obvhs::ray::Ray, any_hit: A) -> f32 {
+fn hit<A: AnyHit>(
+    triangle: &(obvhs::rt_triangle::RtTriangle, u32, bool),
+    ray: &obvhs::ray::Ray,
+    any_hit: A,
+) -> f32 {
     let (shape, index, is_opaque) = triangle;
     let t = shape.intersect(ray);
     if t < ray.tmax && !is_opaque {
@@ -140,7 +164,8 @@ fn hit<A: AnyHit>(triangle: &(obvhs::rt_triangle::RtTriangle, u32, bool), ray: &
 /// The scene's light-facing pixels as shadow rays, in 8×8 tiles.
 fn shadow_rays(scene: &Scene) -> Vec<Ray> {
     let (width, height) = (640, 360);
-    let session = Session::new(scene, Setup::for_scene(scene, width, height), BackendKind::Cpu).expect("session");
+    let session =
+        Session::new(scene, Setup::for_scene(scene, width, height), BackendKind::Cpu).expect("session");
     let light = session.job(&lt_render::Technique::RAY).shadow.light;
     let mut rays = Vec::new();
     for tile in 0..(width / 8) * (height / 8) {
@@ -162,9 +187,12 @@ fn baked(scene: &Scene) -> Scene {
         let mut mesh = scene.meshes[instance.mesh as usize].clone();
         mesh.positions.iter_mut().for_each(|p| *p = instance.transform.transform_point3(*p));
         mesh.normals.clear();
-        out.instances.push(Instance { mesh: out.meshes.len() as u32, transform: Default::default(), ..*instance });
+        out.instances.push(Instance {
+            mesh: out.meshes.len() as u32,
+            transform: Default::default(),
+            ..*instance
+        });
         out.meshes.push(mesh);
     }
     out
 }
-

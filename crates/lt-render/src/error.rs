@@ -14,7 +14,9 @@ pub enum RenderError {
     #[error("stopped")]
     Cancelled,
     /// No usable GPU.
-    #[error("no GPU adapter: {0}; use --backend cpu, or install a Vulkan driver (Debian: apt-get install mesa-vulkan-drivers)")]
+    #[error(
+        "no GPU adapter: {0}; use --backend cpu, or install a Vulkan driver (Debian: apt-get install mesa-vulkan-drivers)"
+    )]
     NoAdapter(String),
     /// The GPU lacks something the scene needs.
     #[error("GPU {device}: {problem}")]

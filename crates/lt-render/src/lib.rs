@@ -38,7 +38,7 @@ mod setup;
 mod technique;
 
 pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob};
-pub use compare::{Comparison, CompareOptions, PassTime, Row, compare};
+pub use compare::{CompareOptions, Comparison, PassTime, Row, compare};
 pub use error::RenderError;
 pub use frame::{Frame, Pass, PassKind};
 pub use light_fit::{LightFit, fit_directional};

@@ -29,7 +29,8 @@ pub fn fit_directional(scene: Bounds, camera: &CameraParams, direction: Vec3, ma
     let scene = if scene.is_empty() { Bounds { min: Vec3::NEG_ONE, max: Vec3::ONE } } else { scene };
     let frame = LightFrame::from_direction(direction);
     let seen = visible_region(scene, camera);
-    let in_light = |points: &[Vec3]| points.iter().fold(Bounds::EMPTY, |b, &p| b.including(frame.to_light(p)));
+    let in_light =
+        |points: &[Vec3]| points.iter().fold(Bounds::EMPTY, |b, &p| b.including(frame.to_light(p)));
     let receivers = if seen.is_empty() { in_light(&scene.corners()) } else { in_light(&seen) };
     let casters = in_light(&scene.corners());
     let (mut min, mut max) = (receivers.min, receivers.max);
@@ -37,7 +38,8 @@ pub fn fit_directional(scene: Bounds, camera: &CameraParams, direction: Vec3, ma
     // A flat or tiny region still needs a box with an inside.
     let least = (casters.max - casters.min).max_element() * 1e-5 + f32::MIN_POSITIVE;
     let texel = ((max - min).xy().max_element().max(least)) / map_size as f32;
-    let margin = Vec3::new(MARGIN_TEXELS * texel, MARGIN_TEXELS * texel, ((max.z - min.z) * DEPTH_MARGIN).max(least));
+    let margin =
+        Vec3::new(MARGIN_TEXELS * texel, MARGIN_TEXELS * texel, ((max.z - min.z) * DEPTH_MARGIN).max(least));
     min -= margin;
     max += margin;
     LightFit { projection: LightProjection::orthographic(&frame, min, max), extent_world: max - min }
@@ -45,7 +47,8 @@ pub fn fit_directional(scene: Bounds, camera: &CameraParams, direction: Vec3, ma
 
 /// Corner points of the convex region that lies in the scene's box and in the view pyramid; empty if nothing does.
 fn visible_region(scene: Bounds, camera: &CameraParams) -> Vec<Vec3> {
-    let mut points: Vec<Vec3> = box_faces(scene).into_iter().flat_map(|face| clip_to_view(face, camera)).collect();
+    let mut points: Vec<Vec3> =
+        box_faces(scene).into_iter().flat_map(|face| clip_to_view(face, camera)).collect();
     let is_inside = |p: Vec3| p.cmpge(scene.min).all() && p.cmple(scene.max).all();
     if is_inside(camera.eye) {
         points.push(camera.eye);
@@ -59,7 +62,8 @@ fn visible_region(scene: Bounds, camera: &CameraParams) -> Vec<Vec3> {
 
 fn box_faces(b: Bounds) -> [Vec<Vec3>; 6] {
     let c = b.corners();
-    [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]].map(|f| f.map(|i| c[i]).to_vec())
+    [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]]
+        .map(|f| f.map(|i| c[i]).to_vec())
 }
 
 /// Sutherland–Hodgman against the view's four side planes and the plane through the eye.
@@ -94,7 +98,8 @@ fn segment_in_box(origin: Vec3, direction: Vec3, b: Bounds) -> [Option<Vec3>; 2]
             }
             continue;
         }
-        let (t0, t1) = ((b.min[axis] - origin[axis]) / direction[axis], (b.max[axis] - origin[axis]) / direction[axis]);
+        let (t0, t1) =
+            ((b.min[axis] - origin[axis]) / direction[axis], (b.max[axis] - origin[axis]) / direction[axis]);
         near = near.max(t0.min(t1));
         far = far.min(t0.max(t1));
     }
@@ -109,7 +114,18 @@ mod tests {
     fn camera(eye: Vec3, forward: Vec3) -> CameraParams {
         let right = forward.cross(Vec3::Y).normalize();
         let up = right.cross(forward);
-        CameraParams { eye, root: 0, right, pad0: 0, up, pad1: 0, forward, pad2: 0, size: UVec2::ONE, pad3: UVec2::ZERO }
+        CameraParams {
+            eye,
+            root: 0,
+            right,
+            pad0: 0,
+            up,
+            pad1: 0,
+            forward,
+            pad2: 0,
+            size: UVec2::ONE,
+            pad3: UVec2::ZERO,
+        }
     }
 
     const BOX: Bounds = Bounds { min: Vec3::splat(-10.0), max: Vec3::splat(10.0) };
@@ -144,7 +160,9 @@ mod tests {
     fn a_camera_that_looks_away_and_an_empty_scene_still_give_a_map() {
         let away = camera(Vec3::splat(100.0), Vec3::X);
         assert!(fit_directional(BOX, &away, Vec3::NEG_Y, 64).projection.project(Vec3::ZERO).is_inside);
-        assert!(fit_directional(Bounds::EMPTY, &away, Vec3::NEG_Y, 64).projection.project(Vec3::ZERO).is_inside);
+        assert!(
+            fit_directional(Bounds::EMPTY, &away, Vec3::NEG_Y, 64).projection.project(Vec3::ZERO).is_inside
+        );
         let point = Bounds { min: Vec3::ONE, max: Vec3::ONE };
         assert!(fit_directional(point, &away, Vec3::NEG_Y, 64).projection.project(Vec3::ONE).is_inside);
     }

@@ -60,7 +60,10 @@ impl EffectPlan {
             "alpha test",
             s.masked_triangles > 0,
             format!("{} of {} triangles have holes", s.masked_triangles, s.triangles),
-            format!("3 bindings, {} of coverage texels, a fragment stage in the depth map", bytes(s.alpha_texel_bytes)),
+            format!(
+                "3 bindings, {} of coverage texels, a fragment stage in the depth map",
+                bytes(s.alpha_texel_bytes)
+            ),
         );
         list(
             "instances",
@@ -83,13 +86,19 @@ impl EffectPlan {
         list(
             "pre-filter",
             is_prefiltered,
-            if is_prefiltered { "blurred depth vectors asked for" } else { "vectors are made from gathered depths" }.to_owned(),
+            if is_prefiltered {
+                "blurred depth vectors asked for"
+            } else {
+                "vectors are made from gathered depths"
+            }
+            .to_owned(),
             format!("2 passes, {}", bytes(u64::from(size) * u64::from(size) * 32)),
         );
         list(
             "doubt list",
             doubt_list,
-            if doubt_list { "LTT doubts some pixels" } else { "nothing is doubted pixel by pixel" }.to_owned(),
+            if doubt_list { "LTT doubts some pixels" } else { "nothing is doubted pixel by pixel" }
+                .to_owned(),
             "1 pass, 4 bytes a pixel, an indirect dispatch".to_owned(),
         );
         list(

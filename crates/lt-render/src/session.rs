@@ -131,7 +131,8 @@ impl Session {
     pub fn shade(&mut self, visibility: &[f32]) -> Result<Vec<[u8; 4]>, RenderError> {
         let light = &self.setup.light;
         let size = self.scene.bounds.max - self.scene.bounds.min;
-        let haze = if self.scene.bounds.is_empty() { 0.0 } else { HAZE / size.length().max(f32::MIN_POSITIVE) };
+        let haze =
+            if self.scene.bounds.is_empty() { 0.0 } else { HAZE / size.length().max(f32::MIN_POSITIVE) };
         let params = ShadeParams {
             camera: self.camera,
             light: homogeneous_light(&self.setup),
@@ -175,9 +176,13 @@ fn make_backend(packed: PackedScene, kind: BackendKind) -> Result<Box<dyn Backen
         #[cfg(feature = "gpu")]
         BackendKind::Gpu => Ok(Box::new(crate::gpu::GpuBackend::new(&packed)?)),
         #[cfg(feature = "gpu")]
-        BackendKind::Auto if crate::gpu::has_hardware_adapter() => Ok(Box::new(crate::gpu::GpuBackend::new(&packed)?)),
+        BackendKind::Auto if crate::gpu::has_hardware_adapter() => {
+            Ok(Box::new(crate::gpu::GpuBackend::new(&packed)?))
+        }
         #[cfg(not(feature = "gpu"))]
-        BackendKind::Gpu => Err(RenderError::NoAdapter("this program was built without the feature `gpu`".to_owned())),
+        BackendKind::Gpu => {
+            Err(RenderError::NoAdapter("this program was built without the feature `gpu`".to_owned()))
+        }
         BackendKind::Auto => Ok(Box::new(CpuBackend::new(packed))),
     }
 }

@@ -39,11 +39,17 @@ impl Setup {
     pub fn check(&self) -> Result<(), RenderError> {
         let bad = |problem: String| Err(RenderError::BadSetup(problem));
         if self.size.min_element() == 0 || self.size.max_element() > 16384 {
-            return bad(format!("picture size {}×{}: each side must be 1 to 16384", self.size.x, self.size.y));
+            return bad(format!(
+                "picture size {}×{}: each side must be 1 to 16384",
+                self.size.x, self.size.y
+            ));
         }
         let c = &self.camera;
         if !(c.eye.is_finite() && c.target.is_finite() && (c.target - c.eye).length() > 0.0) {
-            return bad(format!("camera at {} looking at {}: they must be finite and differ", c.eye, c.target));
+            return bad(format!(
+                "camera at {} looking at {}: they must be finite and differ",
+                c.eye, c.target
+            ));
         }
         if !(c.fov_y_rad > 0.0 && c.fov_y_rad < std::f32::consts::PI) {
             return bad(format!("field of view {} rad: must lie between 0 and π", c.fov_y_rad));
@@ -52,8 +58,12 @@ impl Setup {
             return bad(format!("map size {}: must be a multiple of 64 up to {MAX_MAP_SIZE}", self.map_size));
         }
         match self.light.kind {
-            LightKind::Directional { direction } if direction.is_finite() && direction.length() > 0.0 => Ok(()),
-            LightKind::Directional { direction } => bad(format!("light direction {direction}: must be finite and not zero")),
+            LightKind::Directional { direction } if direction.is_finite() && direction.length() > 0.0 => {
+                Ok(())
+            }
+            LightKind::Directional { direction } => {
+                bad(format!("light direction {direction}: must be finite and not zero"))
+            }
             _ => bad(format!("light `{}`: this version draws directional lights only", self.light.name)),
         }
     }

@@ -250,7 +250,9 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
     match key {
         "prefiltered" => match &mut technique.estimate {
             Estimate::Map { test, source } if test.is_filterable() => *source = MapSource::Prefiltered,
-            _ => return Err("`prefiltered` needs a filterable map: vsm, esm, evsm, msm, msm-hausdorff".into()),
+            _ => {
+                return Err("`prefiltered` needs a filterable map: vsm, esm, evsm, msm, msm-hausdorff".into());
+            }
         },
         "eps" if technique.doubt == Doubt::Ltt => {
             technique.epsilon = value
@@ -299,7 +301,8 @@ mod tests {
 
     #[test]
     fn nonsense_is_refused_with_a_remedy() {
-        for id in ["", "ltt-sm", "ray:map=64", "sm:prefiltered", "ltt-vsm:eps=0.7", "vsm:map=100", "evsm:foo"] {
+        for id in ["", "ltt-sm", "ray:map=64", "sm:prefiltered", "ltt-vsm:eps=0.7", "vsm:map=100", "evsm:foo"]
+        {
             assert!(id.parse::<Technique>().unwrap_err().problem.len() > 20, "{id}");
         }
     }

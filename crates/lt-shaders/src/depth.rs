@@ -48,7 +48,8 @@ pub fn map_position(projection: &LightProjection, world: Vec3, map_size: u32) ->
 /// interpolation rounds to.
 #[inline]
 pub fn weights_at(point: Vec2, corners: &[Vec3; 3]) -> Vec3 {
-    let (a, b, c) = (corners[0].truncate() - point, corners[1].truncate() - point, corners[2].truncate() - point);
+    let (a, b, c) =
+        (corners[0].truncate() - point, corners[1].truncate() - point, corners[2].truncate() - point);
     let (u, v, w) = (c.perp_dot(b), a.perp_dot(c), b.perp_dot(a));
     let area = u + v + w;
     if area == 0.0 {

@@ -2,8 +2,8 @@
 
 use lt_math::glam::{IVec2, Vec2, Vec3, Vec4};
 use lt_math::{
-    Esm, Evsm, Footprint, LightProjection, MsmHamburger, MsmHausdorff, Pcf, ShadowTest, Sm, Vsm, bilinear_footprint,
-    needs_ray,
+    Esm, Evsm, Footprint, LightProjection, MsmHamburger, MsmHausdorff, Pcf, ShadowTest, Sm, Vsm,
+    bilinear_footprint, needs_ray,
 };
 
 use crate::abi::{Sample, ShadowParams};
@@ -173,10 +173,14 @@ pub fn plane_slope(projection: &LightProjection, normal: Vec3, map_size: u32) ->
 }
 
 /// Cap of the receiver-plane bias, light depth: beyond it a shadow would detach visibly.
-const MAX_SLOPE: f32 = 0.02;
+const MAX_SLOPE: f32 = 0.002;
 
 /// Estimate and doubt of one pixel by a map; with `LTT` off nothing is ever doubted.
-pub fn evaluate<T: TestFromParams, M: MapSource, const LTT: bool>(sample: &Sample, p: &ShadowParams, map: M) -> Verdict {
+pub fn evaluate<T: TestFromParams, M: MapSource, const LTT: bool>(
+    sample: &Sample,
+    p: &ShadowParams,
+    map: M,
+) -> Verdict {
     let (verdict, is_settled) = settle(sample, p.light);
     if is_settled {
         return verdict;

@@ -1,7 +1,7 @@
 //! The pre-filter: depths to vectors, blurred by a separable Gaussian in two passes.
 
-use lt_math::glam::{UVec2, Vec4};
 use lt_math::gaussian_weight;
+use lt_math::glam::{UVec2, Vec4};
 
 use crate::{abi::FilterParams, evaluate::TestFromParams};
 

@@ -1,7 +1,8 @@
 //! Geometry as kernels see it: one world-space tree, or a TLAS over placed trees.
 
 use lt_bvh::{
-    AnyHit, Hit, Instance, Node, Ray, Triangle, closest_hit, closest_hit_instanced, occluded, occluded_instanced,
+    AnyHit, Hit, Instance, Node, Ray, Triangle, closest_hit, closest_hit_instanced, occluded,
+    occluded_instanced,
 };
 use lt_math::glam::Vec3;
 

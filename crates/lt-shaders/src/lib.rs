@@ -32,9 +32,9 @@ extern crate std;
 pub mod abi;
 pub mod camera;
 pub mod depth;
+pub mod doubt;
 #[cfg(target_arch = "spirv")]
 pub mod entry;
-pub mod doubt;
 pub mod evaluate;
 pub mod filter;
 pub mod gbuffer;

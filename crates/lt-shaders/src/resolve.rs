@@ -14,6 +14,11 @@ pub fn shadow_ray(sample: &Sample, light: Vec4) -> Ray {
 }
 
 /// The truth about one light-facing sample: 1 if the light is seen, 0 if it is blocked.
-pub fn trace_visibility<G: Geometry, A: AnyHit>(sample: &Sample, light: Vec4, geometry: G, any_hit: A) -> f32 {
+pub fn trace_visibility<G: Geometry, A: AnyHit>(
+    sample: &Sample,
+    light: Vec4,
+    geometry: G,
+    any_hit: A,
+) -> f32 {
     if geometry.is_occluded(shadow_ray(sample, light), any_hit) { 0.0 } else { 1.0 }
 }

@@ -75,11 +75,7 @@ fn srgb(linear: f32) -> f32 {
 /// Into [0, 1]; NaN becomes 0.
 #[inline]
 fn unit(x: f32) -> f32 {
-    if x > 0.0 {
-        if x < 1.0 { x } else { 1.0 }
-    } else {
-        0.0
-    }
+    if x > 0.0 { if x < 1.0 { x } else { 1.0 } } else { 0.0 }
 }
 
 #[inline]

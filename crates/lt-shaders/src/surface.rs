@@ -24,6 +24,17 @@ pub fn vertex_color(corners: &[Vertex; 3], weights: Vec3) -> Vec4 {
         + unorm_bytes(corners[2].color) * weights.z
 }
 
+/// Vertex alpha blended at a point.
+#[inline]
+pub fn vertex_alpha(corners: &[Vertex; 3], weights: Vec3) -> f32 {
+    let alphas = Vec3::new(
+        (corners[0].color >> 24) as f32,
+        (corners[1].color >> 24) as f32,
+        (corners[2].color >> 24) as f32,
+    );
+    (alphas.x * weights.x + alphas.y * weights.y + alphas.z * weights.z) * (1.0 / 255.0)
+}
+
 /// Weights of the three vertices from barycentric u and v.
 #[inline]
 pub fn barycentric_weights(u: f32, v: f32) -> Vec3 {
@@ -43,7 +54,7 @@ pub fn covers(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_t
     if material.cutoff <= 0.0 {
         return true;
     }
-    let mut alpha = material.base_color.w * vertex_color(corners, weights).w;
+    let mut alpha = material.base_color.w * vertex_alpha(corners, weights);
     if material.alpha_size != 0 {
         let view =
             TextureView { offset: material.alpha_offset, size: material.alpha_size, flags: material.flags };
@@ -94,11 +105,17 @@ pub fn plain_color(material: &Material, corners: &[Vertex; 3], weights: Vec3) ->
 
 /// Colour of the surface's texture at a point, linear RGB (decoded from sRGB by squaring); white without one.
 #[inline]
-pub fn texture_color(material: &Material, corners: &[Vertex; 3], weights: Vec3, color_texels: &[u32]) -> Vec3 {
+pub fn texture_color(
+    material: &Material,
+    corners: &[Vertex; 3],
+    weights: Vec3,
+    color_texels: &[u32],
+) -> Vec3 {
     if material.color_size == 0 {
         return Vec3::ONE;
     }
-    let view = TextureView { offset: material.color_offset, size: material.color_size, flags: material.flags };
+    let view =
+        TextureView { offset: material.color_offset, size: material.color_size, flags: material.flags };
     let quad = view.quad(texture_coordinate(corners, weights));
     let encoded = unorm_bytes(color_texels[quad.indices[0] as usize]) * quad.weights.x
         + unorm_bytes(color_texels[quad.indices[1] as usize]) * quad.weights.y
@@ -128,7 +145,8 @@ pub fn octahedral_encode(n: Vec3) -> u32 {
     if n.z < 0.0 {
         (x, y) = ((1.0 - n.y.abs()).copysign(n.x), (1.0 - n.x.abs()).copysign(n.y));
     }
-    let quantise = |c: f32| (lt_math::float::floor(c * 32767.0 + 0.5) as i32).clamp(-32767, 32767) as u32 & 0xffff;
+    let quantise =
+        |c: f32| (lt_math::float::floor(c * 32767.0 + 0.5) as i32).clamp(-32767, 32767) as u32 & 0xffff;
     quantise(x) | quantise(y) << 16
 }
 

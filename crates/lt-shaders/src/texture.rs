@@ -86,11 +86,7 @@ fn wrap_to_unit(coordinate: f32, wrap: u32) -> f32 {
         coordinate
     };
     // Comparisons instead of clamp: NaN ends at 0.
-    if unit > 0.0 {
-        if unit < 1.0 { unit } else { 1.0 }
-    } else {
-        0.0
-    }
+    if unit > 0.0 { if unit < 1.0 { unit } else { 1.0 } } else { 0.0 }
 }
 
 /// Byte `index` of a buffer of packed bytes, as a fraction of 255.
@@ -112,7 +108,11 @@ mod tests {
 
     fn row(wrap: u32, nearest: bool) -> TextureView {
         let flags = wrap << Material::WRAP_U_SHIFT | wrap << Material::WRAP_V_SHIFT;
-        TextureView { offset: 0, size: 4 | 1 << 16, flags: flags | if nearest { Material::NEAREST } else { 0 } }
+        TextureView {
+            offset: 0,
+            size: 4 | 1 << 16,
+            flags: flags | if nearest { Material::NEAREST } else { 0 },
+        }
     }
 
     fn sample(view: TextureView, u: f32) -> f32 {

@@ -13,7 +13,9 @@ use lt_math::glam::{UVec2, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
 use lt_shaders::abi::{CameraParams, FilterParams, Material, Sample, ShadeParams, ShadowParams};
 use lt_shaders::camera::{ColorSource, ColorTextures, NoColorTextures, primary_ray, sample_at_hit};
-use lt_shaders::evaluate::{FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate, settle};
+use lt_shaders::evaluate::{
+    FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate, settle,
+};
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
 use lt_shaders::resolve::shadow_ray;
@@ -97,10 +99,16 @@ impl Backend for CpuBackend {
         let start = Instant::now();
         let covers = coverage(&self.scene, 0);
         match (plan.alpha_test, plan.color_textures) {
-            (false, false) => see(&self.scene, self.tiles, params, Opaque, NoColorTextures, &mut self.samples),
+            (false, false) => {
+                see(&self.scene, self.tiles, params, Opaque, NoColorTextures, &mut self.samples)
+            }
             (true, false) => see(&self.scene, self.tiles, params, covers, NoColorTextures, &mut self.samples),
-            (false, true) => see(&self.scene, self.tiles, params, Opaque, colors(&self.scene), &mut self.samples),
-            (true, true) => see(&self.scene, self.tiles, params, covers, colors(&self.scene), &mut self.samples),
+            (false, true) => {
+                see(&self.scene, self.tiles, params, Opaque, colors(&self.scene), &mut self.samples)
+            }
+            (true, true) => {
+                see(&self.scene, self.tiles, params, covers, colors(&self.scene), &mut self.samples)
+            }
         }
         Ok(Some(milliseconds(start)))
     }
@@ -124,8 +132,12 @@ impl Backend for CpuBackend {
     fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
         let start = Instant::now();
         match (kind, job.map, job.plan.map) {
-            (PassKind::DepthMap, Some(map), _) => raster::draw_depths(&self.scene, &map.depth, &mut self.depths),
-            (PassKind::FilterX, Some(map), Some((test, _))) => blur_rows(test, &map.filter, &self.depths, &mut self.rows),
+            (PassKind::DepthMap, Some(map), _) => {
+                raster::draw_depths(&self.scene, &map.depth, &mut self.depths)
+            }
+            (PassKind::FilterX, Some(map), Some((test, _))) => {
+                blur_rows(test, &map.filter, &self.depths, &mut self.rows)
+            }
             (PassKind::FilterY, Some(map), _) => blur_columns(&map.filter, &self.rows, &mut self.vectors),
             (PassKind::Evaluate, _, Some((test, source))) => self.estimate(test, source, job),
             (PassKind::Resolve, ..) => self.rays = self.resolve(job),
@@ -136,7 +148,8 @@ impl Backend for CpuBackend {
     }
 
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError> {
-        let bytes = size_of_val(&self.depths[..]) + size_of_val(&self.rows[..]) + size_of_val(&self.vectors[..]);
+        let bytes =
+            size_of_val(&self.depths[..]) + size_of_val(&self.rows[..]) + size_of_val(&self.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
             let lit_side = |s: &Sample| !settle(s, job.shadow.light).1;
@@ -155,13 +168,15 @@ impl Backend for CpuBackend {
     fn shade(&mut self, visibility: &[f32], params: &ShadeParams) -> Result<Vec<[u8; 4]>, RenderError> {
         let (size, tiles) = (self.tiles.size(), self.tiles);
         let mut picture = vec![0u32; tiles.len()];
-        picture.par_chunks_mut(BLOCK).zip(self.samples.par_chunks(BLOCK)).enumerate().for_each(|(block, (out, samples))| {
-            for (i, (word, sample)) in out.iter_mut().zip(samples).enumerate() {
-                if let Some(px) = tiles.pixel(block, i) {
-                    *word = shade(px, sample, visibility[(px.y * size.x + px.x) as usize], params);
+        picture.par_chunks_mut(BLOCK).zip(self.samples.par_chunks(BLOCK)).enumerate().for_each(
+            |(block, (out, samples))| {
+                for (i, (word, sample)) in out.iter_mut().zip(samples).enumerate() {
+                    if let Some(px) = tiles.pixel(block, i) {
+                        *word = shade(px, sample, visibility[(px.y * size.x + px.x) as usize], params);
+                    }
                 }
-            }
-        });
+            },
+        );
         Ok(tiles.to_rows(&picture).into_iter().map(u32::to_le_bytes).collect())
     }
 }
@@ -184,8 +199,12 @@ impl CpuBackend {
         let filtered = FilteredVectors { vectors: &self.vectors };
         let (samples, lit, doubted) = (&self.samples[..], &mut self.visibility[..], &mut self.is_doubted[..]);
         match (source, job.plan.doubt_list) {
-            (MapSource::Gather, false) => estimate_tiles::<T, _, false>(&job.shadow, gathered, samples, lit, doubted),
-            (MapSource::Gather, true) => estimate_tiles::<T, _, true>(&job.shadow, gathered, samples, lit, doubted),
+            (MapSource::Gather, false) => {
+                estimate_tiles::<T, _, false>(&job.shadow, gathered, samples, lit, doubted)
+            }
+            (MapSource::Gather, true) => {
+                estimate_tiles::<T, _, true>(&job.shadow, gathered, samples, lit, doubted)
+            }
             (MapSource::Prefiltered, false) => {
                 estimate_tiles::<T, _, false>(&job.shadow, filtered, samples, lit, doubted);
             }
@@ -216,7 +235,8 @@ fn trace<A: AnyHit + Sync>(
     visibility: &mut [f32],
 ) -> u64 {
     let tracer = tracer(scene);
-    let blocks = visibility.par_chunks_mut(BLOCK).zip(samples.par_chunks(BLOCK)).zip(is_doubted.par_chunks(BLOCK));
+    let blocks =
+        visibility.par_chunks_mut(BLOCK).zip(samples.par_chunks(BLOCK)).zip(is_doubted.par_chunks(BLOCK));
     blocks
         .map_init(Batch::default, |batch, ((visibility, samples), is_doubted)| {
             batch.clear();
@@ -273,7 +293,8 @@ fn estimate_tiles<T: TestFromParams, M: MapView + Sync, const LTT: bool>(
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
-    let blocks = samples.par_chunks(BLOCK).zip(visibility.par_chunks_mut(BLOCK)).zip(is_doubted.par_chunks_mut(BLOCK));
+    let blocks =
+        samples.par_chunks(BLOCK).zip(visibility.par_chunks_mut(BLOCK)).zip(is_doubted.par_chunks_mut(BLOCK));
     blocks.for_each(|((samples, visibility), is_doubted)| {
         for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
             let verdict = evaluate::<T, M, LTT>(sample, p, map);
@@ -325,9 +346,12 @@ fn see<A: AnyHit + Sync, C: ColorSource + Sync>(
 ) {
     let (nodes, triangles) = (scene.nodes(), scene.triangles());
     match scene.trees() {
-        Trees::Flat(_) => see_geometry(scene, tiles, p, FlatGeometry { nodes, triangles }, any_hit, colors, samples),
+        Trees::Flat(_) => {
+            see_geometry(scene, tiles, p, FlatGeometry { nodes, triangles }, any_hit, colors, samples)
+        }
         Trees::Instanced(_) => {
-            let geometry = InstancedGeometry { nodes, triangles, instances: scene.instances(), root: scene.root() };
+            let geometry =
+                InstancedGeometry { nodes, triangles, instances: scene.instances(), root: scene.root() };
             see_geometry(scene, tiles, p, geometry, any_hit, colors, samples);
         }
     }
@@ -345,7 +369,8 @@ fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
     let tracer = tracer(scene);
     samples.par_chunks_mut(BLOCK).enumerate().for_each(|(block, samples)| {
         let pixels: Vec<Option<UVec2>> = (0..BLOCK).map(|i| tiles.pixel(block, i)).collect();
-        let rays: Vec<Ray> = pixels.iter().map(|px| px.map_or(Ray::default(), |px| primary_ray(px, p))).collect();
+        let rays: Vec<Ray> =
+            pixels.iter().map(|px| px.map_or(Ray::default(), |px| primary_ray(px, p))).collect();
         let mut hits = vec![Hit::miss(0.0); BLOCK];
         tracer.closest_batch(&rays, any_hit, &mut hits);
         for (sample, hit) in samples.iter_mut().zip(&hits) {

@@ -3,7 +3,7 @@
 
 use lt_bvh::Triangle;
 use lt_math::glam::{Vec2, Vec3};
-use lt_shaders::abi::DepthParams;
+use lt_shaders::abi::{DepthParams, Material, Vertex};
 use lt_shaders::depth::{corner, map_position, placed_corner, weights_at};
 use lt_shaders::surface::{blocks, corners_of};
 use rayon::prelude::*;
@@ -15,7 +15,9 @@ const SUBTEXEL: f32 = 256.0;
 /// Rows a thread owns.
 const BAND: usize = 64;
 /// Triangles sorted into bands at a time, so that the lists stay small however large the scene.
-const BATCH: usize = 1 << 18;
+const BATCH: u32 = 1 << 18;
+/// Triangles one thread prepares at a time.
+const PREPARE: u32 = 1 << 12;
 /// Corners farther out than this many texels are clamped, which keeps edge functions inside 63 bits.
 const GUARD_TEXELS: f32 = 1.0e6;
 
@@ -34,25 +36,41 @@ struct Prepared {
 pub fn draw_depths(scene: &PackedScene, p: &DepthParams, map: &mut [f32]) {
     let size = p.map_size as usize;
     map.par_chunks_mut(BAND * size).for_each(|band| band.fill(1.0));
-    for draw in scene.draws() {
-        let mut first = draw.first_triangle;
-        let end = draw.first_triangle + draw.triangles;
-        while first < end {
-            let batch = DrawRange { first_triangle: first, triangles: (end - first).min(BATCH as u32), ..*draw };
-            draw_batch(scene, p, &batch, map);
-            first += batch.triangles;
-        }
+    for batch in batches(scene.draws()) {
+        draw_batch(scene, p, &batch, map);
     }
 }
 
-fn draw_batch(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, map: &mut [f32]) {
+/// Cuts and joins draws into lists of about [`BATCH`] triangles.
+fn batches(draws: &[DrawRange]) -> Vec<Vec<DrawRange>> {
+    let mut batches = vec![Vec::new()];
+    let mut room = BATCH;
+    for draw in draws {
+        let (mut first, end) = (draw.first_triangle, draw.first_triangle + draw.triangles);
+        while first < end {
+            let triangles = (end - first).min(room).min(PREPARE);
+            if let Some(batch) = batches.last_mut() {
+                batch.push(DrawRange { first_triangle: first, triangles, ..*draw });
+            }
+            first += triangles;
+            room -= triangles;
+            if room == 0 {
+                batches.push(Vec::new());
+                room = BATCH;
+            }
+        }
+    }
+    batches
+}
+
+fn draw_batch(scene: &PackedScene, p: &DepthParams, draws: &[DrawRange], map: &mut [f32]) {
     let size = p.map_size as usize;
-    let first = draw.first_triangle as usize;
-    let triangles = &scene.triangles()[first..first + draw.triangles as usize];
-    let prepared: Vec<Prepared> = triangles
+    let prepared: Vec<Prepared> = draws
         .par_iter()
-        .enumerate()
-        .filter_map(|(i, t)| prepare(scene, p, draw, (first + i) as u32, t))
+        .flat_map_iter(|draw| {
+            let triangles = draw.first_triangle..draw.first_triangle + draw.triangles;
+            triangles.filter_map(|i| prepare(scene, p, draw, i, &scene.triangles()[i as usize]))
+        })
         .collect();
     let mut bands: Vec<Vec<u32>> = vec![Vec::new(); size.div_ceil(BAND)];
     for (i, t) in prepared.iter().enumerate() {
@@ -61,14 +79,25 @@ fn draw_batch(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, map: &mut 
             band.push(i as u32);
         }
     }
-    map.par_chunks_mut(BAND * size).zip(&bands).enumerate().for_each(|(band, (rows, members))| {
-        for &i in members {
+    map.par_chunks_mut(BAND * size).zip(bands).enumerate().for_each(|(band, (rows, mut members))| {
+        // Nearest first where casters have holes: what lies behind then fails the depth test before it costs an alpha
+        // test. The map is the same in any order.
+        if draws.iter().any(|d| d.has_holes) {
+            members.sort_by_cached_key(|&i| prepared[i as usize].nearest().to_bits());
+        }
+        for i in members {
             draw_triangle(scene, &prepared[i as usize], band * BAND, size, rows);
         }
     });
 }
 
-fn prepare(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, index: u32, t: &Triangle) -> Option<Prepared> {
+fn prepare(
+    scene: &PackedScene,
+    p: &DepthParams,
+    draw: &DrawRange,
+    index: u32,
+    t: &Triangle,
+) -> Option<Prepared> {
     let world = |i: u32| match scene.instances() {
         [] => corner(t, i),
         placed => placed_corner(t, i, &placed[draw.instance as usize]),
@@ -87,6 +116,13 @@ fn prepare(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, index: u32, t
     let prepared = Prepared { corners, snapped, triangle: index, has_holes };
     let (low, high) = rows_of(&prepared, p.map_size as usize);
     (low < high && corners.iter().any(|c| c.z < 1.0)).then_some(prepared)
+}
+
+impl Prepared {
+    /// The least depth of a corner, not below 0, so that its bits sort as it does.
+    fn nearest(&self) -> f32 {
+        self.corners.iter().fold(1.0, |least: f32, c| least.min(c.z)).max(0.0)
+    }
 }
 
 /// Twice the signed area of a triangle of snapped points.
@@ -147,6 +183,7 @@ fn draw_triangle(scene: &PackedScene, t: &Prepared, first_row: usize, size: usiz
     let (low_row, high_row) = rows_of(t, size);
     let (low_column, high_column) = span(s.map(|c| c[0]), size);
     let plane = DepthPlane::through(&t.corners);
+    let holes = t.has_holes.then(|| Holes::of(scene, t));
     for row in low_row.max(first_row)..high_row.min(first_row + rows.len() / size) {
         let (mut low, mut high) = (low_column as i64, high_column as i64);
         for e in &edges {
@@ -157,18 +194,31 @@ fn draw_triangle(scene: &PackedScene, t: &Prepared, first_row: usize, size: usiz
             let centre = Vec2::new(column as f32 + 0.5, row as f32 + 0.5);
             let depth = plane.at(centre);
             let stored = &mut depths[column as usize];
-            if depth < *stored && depth >= 0.0 && (!t.has_holes || is_covered(scene, t, centre)) {
+            let is_nearer = depth < *stored && depth >= 0.0;
+            if is_nearer && holes.as_ref().is_none_or(|h| h.is_covered(t, centre)) {
                 *stored = depth;
             }
         }
     }
 }
 
-fn is_covered(scene: &PackedScene, t: &Prepared, centre: Vec2) -> bool {
-    let weights = weights_at(centre, &t.corners);
-    let corners = corners_of(&scene.triangles()[t.triangle as usize], scene.vertices());
-    let material = &scene.materials()[corners[0].material as usize];
-    blocks(material, &corners, weights, scene.alpha_texels())
+/// The alpha test of one triangle.
+struct Holes<'a> {
+    corners: [Vertex; 3],
+    material: &'a Material,
+    alpha_texels: &'a [u32],
+}
+
+impl<'a> Holes<'a> {
+    fn of(scene: &'a PackedScene, t: &Prepared) -> Self {
+        let corners = corners_of(&scene.triangles()[t.triangle as usize], scene.vertices());
+        let material = &scene.materials()[corners[0].material as usize];
+        Self { corners, material, alpha_texels: scene.alpha_texels() }
+    }
+
+    fn is_covered(&self, t: &Prepared, centre: Vec2) -> bool {
+        blocks(self.material, &self.corners, weights_at(centre, &t.corners), self.alpha_texels)
+    }
 }
 
 /// Depth as a linear function of the place on the map, never past the corners' own depths.
@@ -185,7 +235,9 @@ impl DepthPlane {
         let area = a.x * b.y - a.y * b.x;
         let gradient = match area == 0.0 {
             true => Vec2::ZERO,
-            false => Vec2::new(((a.z * b.y - b.z * a.y) / area) as f32, ((b.z * a.x - a.z * b.x) / area) as f32),
+            false => {
+                Vec2::new(((a.z * b.y - b.z * a.y) / area) as f32, ((b.z * a.x - a.z * b.x) / area) as f32)
+            }
         };
         let z = corners.map(|c| c.z);
         Self { origin: corners[0], gradient, low: z[0].min(z[1]).min(z[2]), high: z[0].max(z[1]).max(z[2]) }

@@ -89,12 +89,21 @@ impl Allocator {
     }
 
     /// A buffer with this content; empty content becomes one zeroed element, because a binding cannot be empty.
-    pub fn filled<T: Pod + Zeroable>(&self, what: &str, data: &[T], usage: Usage) -> Result<wgpu::Buffer, RenderError> {
+    pub fn filled<T: Pod + Zeroable>(
+        &self,
+        what: &str,
+        data: &[T],
+        usage: Usage,
+    ) -> Result<wgpu::Buffer, RenderError> {
         let zero = [T::zeroed()];
         let bytes: &[u8] = bytemuck::cast_slice(if data.is_empty() { &zero } else { data });
         self.check(what, bytes.len() as u64)?;
         use wgpu::util::{BufferInitDescriptor, DeviceExt};
-        Ok(self.device.create_buffer_init(&BufferInitDescriptor { label: Some(what), contents: bytes, usage }))
+        Ok(self.device.create_buffer_init(&BufferInitDescriptor {
+            label: Some(what),
+            contents: bytes,
+            usage,
+        }))
     }
 
     pub fn scene(&self, scene: &PackedScene) -> Result<GpuScene, RenderError> {
@@ -126,7 +135,11 @@ impl Allocator {
         Ok(FrameBuffers {
             size,
             samples: self.empty("samples", samples, Usage::STORAGE | Usage::COPY_SRC)?,
-            visibility: self.empty("visibility", pixels * 4, Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST)?,
+            visibility: self.empty(
+                "visibility",
+                pixels * 4,
+                Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST,
+            )?,
             map: None,
             doubt: None,
         })
@@ -135,7 +148,9 @@ impl Allocator {
     pub fn map(&self, size: u32, is_prefiltered: bool) -> Result<MapBuffers, RenderError> {
         let most = self.device.limits().max_texture_dimension_2d;
         if size > most {
-            return Err(self.error(format!("a map of {size}² texels exceeds the device's {most}²: use --map-size {most}")));
+            return Err(self.error(format!(
+                "a map of {size}² texels exceeds the device's {most}²: use --map-size {most}"
+            )));
         }
         let texels = u64::from(size) * u64::from(size);
         let texture = self.device.create_texture(&wgpu::TextureDescriptor {
@@ -175,7 +190,12 @@ impl Allocator {
     }
 
     /// Copies a buffer to the host and waits for it.
-    pub fn read<T: Pod>(&self, queue: &wgpu::Queue, source: &wgpu::Buffer, bytes: u64) -> Result<Vec<T>, RenderError> {
+    pub fn read<T: Pod>(
+        &self,
+        queue: &wgpu::Queue,
+        source: &wgpu::Buffer,
+        bytes: u64,
+    ) -> Result<Vec<T>, RenderError> {
         let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read back"),
             size: bytes,
@@ -187,7 +207,8 @@ impl Allocator {
         queue.submit([encoder.finish()]);
         staging.map_async(wgpu::MapMode::Read, .., |_| {});
         self.wait()?;
-        let view = staging.get_mapped_range(..).map_err(|e| self.error(format!("reading back failed: {e}")))?;
+        let view =
+            staging.get_mapped_range(..).map_err(|e| self.error(format!("reading back failed: {e}")))?;
         // The mapping is aligned to 8 bytes at least; `Pod` types here need 4 or 16, so copy bytewise.
         let mut values = vec![T::zeroed(); bytes as usize / size_of::<T>()];
         bytemuck::cast_slice_mut::<T, u8>(&mut values).copy_from_slice(&view);

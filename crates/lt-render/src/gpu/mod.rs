@@ -144,8 +144,11 @@ impl GpuBackend {
             return Ok((traced, rays));
         }
         let mut doubt = vec![false; self.pixels() as usize];
-        let Some(buffers) = self.frame.doubt.as_ref().filter(|_| job.plan.doubt_list) else { return Ok((doubt, 0)) };
-        let list: Vec<u32> = self.recorder.allocator().read(&self.queue, &buffers.list, buffers.list.size())?;
+        let Some(buffers) = self.frame.doubt.as_ref().filter(|_| job.plan.doubt_list) else {
+            return Ok((doubt, 0));
+        };
+        let list: Vec<u32> =
+            self.recorder.allocator().read(&self.queue, &buffers.list, buffers.list.size())?;
         let count = list[COUNT] as usize;
         for &pixel in list[LIST_START as usize..].iter().take(count) {
             doubt[pixel as usize] = true;

@@ -141,7 +141,8 @@ impl Recorder {
         match job.map {
             None => frame.map = None,
             Some(map) => {
-                let fits = |m: &MapBuffers| m.size == map.depth.map_size && m.filtered.is_some() == is_prefiltered;
+                let fits =
+                    |m: &MapBuffers| m.size == map.depth.map_size && m.filtered.is_some() == is_prefiltered;
                 if !frame.map.as_ref().is_some_and(fits) {
                     frame.map = Some(self.allocator.map(map.depth.map_size, is_prefiltered)?);
                 }
@@ -177,7 +178,8 @@ impl Recorder {
     }
 
     fn unprepared(&self) -> RenderError {
-        self.allocator.error("the frame was not prepared for this job: call Recorder::prepare first".to_owned())
+        self.allocator
+            .error("the frame was not prepared for this job: call Recorder::prepare first".to_owned())
     }
 
     fn depth_map(
@@ -209,7 +211,10 @@ impl Recorder {
             label: Some("depth map"),
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &map.texture,
-                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Store }),
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(1.0),
+                    store: wgpu::StoreOp::Store,
+                }),
                 stencil_ops: None,
             }),
             ..wgpu::RenderPassDescriptor::default()
@@ -232,7 +237,11 @@ impl Recorder {
             },
             wgpu::TexelCopyBufferInfo {
                 buffer: &map.depths,
-                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(map.size * 4), rows_per_image: None },
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(map.size * 4),
+                    rows_per_image: None,
+                },
             },
             extent,
         );
@@ -266,7 +275,9 @@ impl Recorder {
         frame: &FrameBuffers,
         job: &FrameJob,
     ) -> Result<(), RenderError> {
-        let (Some(map), Some((test, source))) = (&frame.map, job.plan.map) else { return Err(self.unprepared()) };
+        let (Some(map), Some((test, source))) = (&frame.map, job.plan.map) else {
+            return Err(self.unprepared());
+        };
         let uniform = self.allocator.filled("shadow", &[job.shadow], Usage::UNIFORM)?;
         let ltt = if job.plan.doubt_list { "ltt_" } else { "" };
         let test = test.id().replace('-', "_");
@@ -328,7 +339,12 @@ impl Recorder {
         p: &ShadeParams,
     ) -> Result<(), RenderError> {
         let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
-        self.dispatch(encoder, "shade_cs", &[&uniform, &frame.samples, &frame.visibility, picture], grid(frame.size))
+        self.dispatch(
+            encoder,
+            "shade_cs",
+            &[&uniform, &frame.samples, &frame.visibility, picture],
+            grid(frame.size),
+        )
     }
 
     fn dispatch(
@@ -351,8 +367,8 @@ impl Recorder {
     ) -> Result<(), RenderError> {
         let pipeline = self.compute_pipeline(name)?;
         let group = self.bind_group(&pipeline.get_bind_group_layout(0), resources);
-        let mut pass =
-            encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(name), timestamp_writes: None });
+        let mut pass = encoder
+            .begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(name), timestamp_writes: None });
         pass.set_pipeline(&pipeline);
         pass.set_bind_group(0, &group, &[]);
         match groups {
@@ -419,8 +435,9 @@ impl Recorder {
     }
 
     fn module(&self, name: &str) -> Result<&'static ShaderModule, RenderError> {
-        ShaderModule::named(name)
-            .ok_or_else(|| self.allocator.error(format!("no shader module `{name}`: run `cargo xtask build-shaders`")))
+        ShaderModule::named(name).ok_or_else(|| {
+            self.allocator.error(format!("no shader module `{name}`: run `cargo xtask build-shaders`"))
+        })
     }
 
     fn compute_pipeline(&mut self, name: &str) -> Result<wgpu::ComputePipeline, RenderError> {

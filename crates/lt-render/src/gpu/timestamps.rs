@@ -16,7 +16,8 @@ pub(super) struct Timestamps {
 impl Timestamps {
     /// `None` where the device cannot write timestamps between passes.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Option<Self> {
-        if !device.features().contains(Features::TIMESTAMP_QUERY | Features::TIMESTAMP_QUERY_INSIDE_ENCODERS) {
+        if !device.features().contains(Features::TIMESTAMP_QUERY | Features::TIMESTAMP_QUERY_INSIDE_ENCODERS)
+        {
             return None;
         }
         let count = MOST_PASSES * 2;

@@ -59,7 +59,8 @@ pub fn soup(scene: &Scene, group: &Group, materials: &PackedMaterials, vertices:
         let first = vertices.len() as u32;
         soup.positions.extend(mesh.positions.iter().map(|&p| transform.transform_point3(p)));
         push_vertices(mesh, transform, material, vertices);
-        soup.triangles.extend(mesh.indices.chunks_exact(3).map(|t| [t[0] + first, t[1] + first, t[2] + first]));
+        soup.triangles
+            .extend(mesh.indices.chunks_exact(3).map(|t| [t[0] + first, t[1] + first, t[2] + first]));
         soup.has_holes.resize(soup.triangles.len(), has_holes);
     }
     soup

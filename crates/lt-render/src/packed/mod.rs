@@ -6,7 +6,7 @@
 mod meshes;
 mod textures;
 
-use lt_bvh::{BuildQuality, Bvh, Dropped, InstancedBvh, Instance, Node, Placement, Triangle};
+use lt_bvh::{BuildQuality, Bvh, Dropped, Instance, InstancedBvh, Node, Placement, Triangle};
 use lt_math::glam::Affine3A;
 use lt_scene::{Bounds, Scene};
 use lt_shaders::abi::{Material, Vertex};
@@ -89,8 +89,9 @@ impl PackedScene {
         for group in &groups {
             let soup = meshes::soup(scene, group, &materials, &mut vertices);
             holes.push(soup.has_holes.iter().filter(|h| **h).count() as u64);
-            let bvh = Bvh::build(&soup.positions, &soup.triangles, |i| !soup.has_holes[i], BuildQuality::Medium)
-                .map_err(|e| RenderError::Build(e.to_string()))?;
+            let bvh =
+                Bvh::build(&soup.positions, &soup.triangles, |i| !soup.has_holes[i], BuildQuality::Medium)
+                    .map_err(|e| RenderError::Build(e.to_string()))?;
             bvhs.push(bvh);
         }
         let mut stats = PackStats {
@@ -214,10 +215,12 @@ fn assemble(
     for (blas, group) in groups.iter().enumerate() {
         match group.is_instanced {
             false => placements.push(Placement { blas: blas as u32, object_to_world: Affine3A::IDENTITY }),
-            true => placements.extend(group.members.iter().map(|&i| Placement {
-                blas: blas as u32,
-                object_to_world: scene.instances[i].transform,
-            })),
+            true => placements.extend(
+                group
+                    .members
+                    .iter()
+                    .map(|&i| Placement { blas: blas as u32, object_to_world: scene.instances[i].transform }),
+            ),
         }
     }
     let tree = InstancedBvh::build(&bvhs, &placements).map_err(|e| RenderError::Build(e.to_string()))?;

@@ -59,7 +59,8 @@ fn reduced(image: &Texture) -> (u32, u32, Vec<[u8; 4]>) {
         let (w, h) = ((width / 2).max(1), (height / 2).max(1));
         let at = |x: u32, y: u32| texels[(y.min(height - 1) * width + x.min(width - 1)) as usize];
         let average = |x: u32, y: u32| -> [u8; 4] {
-            let four = [at(2 * x, 2 * y), at(2 * x + 1, 2 * y), at(2 * x, 2 * y + 1), at(2 * x + 1, 2 * y + 1)];
+            let four =
+                [at(2 * x, 2 * y), at(2 * x + 1, 2 * y), at(2 * x, 2 * y + 1), at(2 * x + 1, 2 * y + 1)];
             std::array::from_fn(|c| (four.iter().map(|t| u32::from(t[c])).sum::<u32>().div_ceil(4)) as u8)
         };
         let halved = (0..h).flat_map(|y| (0..w).map(move |x| (x, y))).map(|(x, y)| average(x, y)).collect();

@@ -67,7 +67,10 @@ macro_rules! ltt_entry {
             if is_doubted {
                 // SAFETY: an atomic on workgroup memory that every invocation of the group shares.
                 slot = unsafe {
-                    atomic_i_add::<u32, { Scope::Workgroup as u32 }, { Semantics::NONE.bits() }>(&mut shared[0], 1)
+                    atomic_i_add::<u32, { Scope::Workgroup as u32 }, { Semantics::NONE.bits() }>(
+                        &mut shared[0],
+                        1,
+                    )
                 };
             }
             workgroup_memory_barrier_with_group_sync();

@@ -31,7 +31,12 @@ pub fn visibility_export_cs(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &CameraParams,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] visibility: &[f32],
-    #[spirv(descriptor_set = 0, binding = 2)] target: &Image!(2D, format = r32f, sampled = false, depth = false),
+    #[spirv(descriptor_set = 0, binding = 2)] target: &Image!(
+        2D,
+        format = r32f,
+        sampled = false,
+        depth = false
+    ),
 ) {
     if let Some(i) = pixel_index(id, p.size) {
         // SAFETY: the pixel lies inside the picture, and the target has the picture's size.

@@ -25,7 +25,13 @@ macro_rules! geometry {
 
 macro_rules! any_hit {
     ($t:ident, $v:ident $bv:literal, $m:ident $bm:literal, $a:ident $ba:literal) => {
-        Coverage { triangles: $t, vertices: $v, materials: $m, alpha_texels: $a, required_flags: Material::CASTS }
+        Coverage {
+            triangles: $t,
+            vertices: $v,
+            materials: $m,
+            alpha_texels: $a,
+            required_flags: Material::CASTS,
+        }
     };
     ($t:ident) => {
         Opaque
