@@ -762,54 +762,54 @@ fn function_() {
     var phi_2072_: bool;
     var phi_2076_: bool;
     var phi_2077_: bool;
-    var phi_2284_: f32;
-    var phi_2287_: bool;
+    var phi_2280_: f32;
+    var phi_2283_: bool;
+    var phi_2284_: bool;
     var phi_2288_: bool;
-    var phi_2292_: bool;
-    var phi_2300_: lt_bvh_Hit;
-    var phi_2301_: lt_bvh_Hit;
-    var phi_2302_: lt_bvh_Hit;
-    var phi_2303_: lt_bvh_Hit;
+    var phi_2296_: lt_bvh_Hit;
+    var phi_2297_: lt_bvh_Hit;
+    var phi_2298_: lt_bvh_Hit;
+    var phi_2299_: lt_bvh_Hit;
     var phi_1541_: lt_bvh_Hit;
     var phi_1544_: u32;
-    var phi_2304_: bool;
-    var phi_2343_: bool;
-    var phi_2344_: bool;
-    var phi_2375_: u32;
+    var phi_2300_: bool;
+    var phi_2339_: bool;
+    var phi_2340_: bool;
+    var phi_2371_: u32;
     var phi_1204_: lt_bvh_Hit;
     var phi_1207_: u32;
-    var phi_2376_: lt_bvh_Hit;
-    var phi_2377_: lt_bvh_Hit;
-    var phi_2378_: bool;
-    var phi_2382_: lt_bvh_Hit;
-    var phi_2446_: f32;
-    var phi_2451_: f32;
-    var phi_2456_: f32;
-    var phi_2467_: f32;
-    var phi_2472_: f32;
-    var phi_2477_: f32;
-    var phi_2553_: vec3<f32>;
-    var phi_2796_: vec3<f32>;
-    var phi_2811_: u32;
-    var phi_2838_: f32;
-    var phi_2845_: f32;
-    var phi_2852_: f32;
-    var phi_2887_: f32;
-    var phi_2894_: f32;
-    var phi_2901_: f32;
-    var phi_2939_: f32;
-    var phi_2946_: f32;
-    var phi_2953_: f32;
-    var phi_3012_: vec3<f32>;
-    var phi_3013_: vec3<f32>;
-    var phi_3014_: vec3<f32>;
-    var phi_3023_: f32;
-    var phi_3024_: f32;
-    var phi_3034_: f32;
-    var phi_3035_: f32;
-    var phi_3045_: f32;
-    var phi_3046_: f32;
-    var phi_3081_: abi_Sample;
+    var phi_2372_: lt_bvh_Hit;
+    var phi_2373_: lt_bvh_Hit;
+    var phi_2374_: bool;
+    var phi_2378_: lt_bvh_Hit;
+    var phi_2442_: f32;
+    var phi_2447_: f32;
+    var phi_2452_: f32;
+    var phi_2463_: f32;
+    var phi_2468_: f32;
+    var phi_2473_: f32;
+    var phi_2549_: vec3<f32>;
+    var phi_2792_: vec3<f32>;
+    var phi_2807_: u32;
+    var phi_2834_: f32;
+    var phi_2841_: f32;
+    var phi_2848_: f32;
+    var phi_2883_: f32;
+    var phi_2890_: f32;
+    var phi_2897_: f32;
+    var phi_2935_: f32;
+    var phi_2942_: f32;
+    var phi_2949_: f32;
+    var phi_3008_: vec3<f32>;
+    var phi_3009_: vec3<f32>;
+    var phi_3010_: vec3<f32>;
+    var phi_3019_: f32;
+    var phi_3020_: f32;
+    var phi_3030_: f32;
+    var phi_3031_: f32;
+    var phi_3041_: f32;
+    var phi_3042_: f32;
+    var phi_3077_: abi_Sample;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
@@ -943,7 +943,7 @@ fn function_() {
         if _e227 {
             let _e228 = (0u >= _e77);
             if _e228 {
-                phi_2376_ = lt_bvh_Hit();
+                phi_2372_ = lt_bvh_Hit();
             } else {
                 if (0u < _e77) {
                 } else {
@@ -1338,7 +1338,7 @@ fn function_() {
                             if (_e1016 == 0u) {
                                 phi_1541_ = lt_bvh_Hit();
                                 phi_1544_ = u32();
-                                phi_2304_ = false;
+                                phi_2300_ = false;
                             } else {
                                 let _e1020 = nodes.member[(0u + _e573)].links[1u];
                                 let _e1025 = ((0u + _e1020) + select(firstTrailingBit(_e1016), 32u, (_e1016 == 0u)));
@@ -1821,7 +1821,7 @@ fn function_() {
                                         if _e1435 {
                                             let _e1437 = triangles.member[(0u + _e1025)].i0_;
                                             if ((_e1437 & 2147483648u) == 0u) {
-                                                phi_2292_ = true;
+                                                phi_2288_ = true;
                                             } else {
                                                 if (_e1025 < _e80) {
                                                 } else {
@@ -1855,468 +1855,468 @@ fn function_() {
                                                 if ((_e1470.flags & 0u) == 0u) {
                                                     let _e1475 = ((1f - _e1402.u) - _e1402.v);
                                                     if (_e1470.cutoff <= 0f) {
-                                                        phi_2287_ = true;
+                                                        phi_2283_ = true;
                                                     } else {
-                                                        let _e1506 = (_e1470.base_color.w * ((((f32((_e1464[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1475) + ((f32((_e1464[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1402.u)) + ((f32((_e1464[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1402.v)));
+                                                        let _e1502 = (_e1470.base_color.w * ((((f32((_e1464[0].color >> bitcast<u32>(24i))) * _e1475) + (f32((_e1464[1].color >> bitcast<u32>(24i))) * _e1402.u)) + (f32((_e1464[2].color >> bitcast<u32>(24i))) * _e1402.v)) * (1f / 255f)));
                                                         if (_e1470.alpha_size == 0u) {
-                                                            phi_2284_ = _e1506;
+                                                            phi_2280_ = _e1502;
                                                         } else {
                                                             local_1.offset = _e1470.alpha_offset;
                                                             local_1.size = _e1470.alpha_size;
                                                             local_1.flags = _e1470.flags;
-                                                            let _e1537 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1464[0].u * _e1475) + (_e1464[1].u * _e1402.u)) + (_e1464[2].u * _e1402.v)), (((_e1464[0].v * _e1475) + (_e1464[1].v * _e1402.u)) + (_e1464[2].v * _e1402.v)));
-                                                            let _e1541 = (_e1537.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1541 < _e92) {
+                                                            let _e1533 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1464[0].u * _e1475) + (_e1464[1].u * _e1402.u)) + (_e1464[2].u * _e1402.v)), (((_e1464[0].v * _e1475) + (_e1464[1].v * _e1402.u)) + (_e1464[2].v * _e1402.v)));
+                                                            let _e1537 = (_e1533.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1537 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1545 = alpha_texels.member[(0u + _e1541)];
-                                                            let _e1561 = (_e1537.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1561 < _e92) {
+                                                            let _e1541 = alpha_texels.member[(0u + _e1537)];
+                                                            let _e1557 = (_e1533.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1557 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1565 = alpha_texels.member[(0u + _e1561)];
-                                                            let _e1582 = (_e1537.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1582 < _e92) {
+                                                            let _e1561 = alpha_texels.member[(0u + _e1557)];
+                                                            let _e1578 = (_e1533.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1578 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1586 = alpha_texels.member[(0u + _e1582)];
-                                                            let _e1603 = (_e1537.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1603 < _e92) {
+                                                            let _e1582 = alpha_texels.member[(0u + _e1578)];
+                                                            let _e1599 = (_e1533.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1599 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1607 = alpha_texels.member[(0u + _e1603)];
-                                                            phi_2284_ = (_e1506 * (((((f32(((_e1545 >> bitcast<u32>((((_e1537.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1537.weights.x) + ((f32(((_e1565 >> bitcast<u32>((((_e1537.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1537.weights.y)) + ((f32(((_e1586 >> bitcast<u32>((((_e1537.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1537.weights.z)) + ((f32(((_e1607 >> bitcast<u32>((((_e1537.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1537.weights.w)));
+                                                            let _e1603 = alpha_texels.member[(0u + _e1599)];
+                                                            phi_2280_ = (_e1502 * (((((f32(((_e1541 >> bitcast<u32>((((_e1533.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1533.weights.x) + ((f32(((_e1561 >> bitcast<u32>((((_e1533.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1533.weights.y)) + ((f32(((_e1582 >> bitcast<u32>((((_e1533.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1533.weights.z)) + ((f32(((_e1603 >> bitcast<u32>((((_e1533.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1533.weights.w)));
                                                         }
-                                                        let _e1623 = phi_2284_;
-                                                        phi_2287_ = (_e1623 >= _e1470.cutoff);
+                                                        let _e1619 = phi_2280_;
+                                                        phi_2283_ = (_e1619 >= _e1470.cutoff);
                                                     }
-                                                    let _e1627 = phi_2287_;
-                                                    phi_2288_ = _e1627;
+                                                    let _e1623 = phi_2283_;
+                                                    phi_2284_ = _e1623;
                                                 } else {
-                                                    phi_2288_ = false;
+                                                    phi_2284_ = false;
                                                 }
-                                                let _e1629 = phi_2288_;
-                                                if _e1629 {
+                                                let _e1625 = phi_2284_;
+                                                if _e1625 {
                                                 }
-                                                phi_2292_ = _e1629;
+                                                phi_2288_ = _e1625;
                                             }
-                                            let _e1631 = phi_2292_;
-                                            if _e1631 {
-                                                phi_2300_ = lt_bvh_Hit(_e1402.t, _e1402.u, _e1402.v, _e1025, 4294967295u);
+                                            let _e1627 = phi_2288_;
+                                            if _e1627 {
+                                                phi_2296_ = lt_bvh_Hit(_e1402.t, _e1402.u, _e1402.v, _e1025, 4294967295u);
                                             } else {
-                                                phi_2300_ = _e1014;
+                                                phi_2296_ = _e1014;
                                             }
-                                            let _e1637 = phi_2300_;
-                                            phi_2301_ = _e1637;
+                                            let _e1633 = phi_2296_;
+                                            phi_2297_ = _e1633;
                                         } else {
-                                            phi_2301_ = _e1014;
+                                            phi_2297_ = _e1014;
                                         }
-                                        let _e1639 = phi_2301_;
-                                        phi_2302_ = _e1639;
+                                        let _e1635 = phi_2297_;
+                                        phi_2298_ = _e1635;
                                     } else {
-                                        phi_2302_ = _e1014;
+                                        phi_2298_ = _e1014;
                                     }
-                                    let _e1641 = phi_2302_;
-                                    phi_2303_ = _e1641;
+                                    let _e1637 = phi_2298_;
+                                    phi_2299_ = _e1637;
                                 } else {
-                                    phi_2303_ = _e1014;
+                                    phi_2299_ = _e1014;
                                 }
-                                let _e1643 = phi_2303_;
-                                phi_1541_ = _e1643;
+                                let _e1639 = phi_2299_;
+                                phi_1541_ = _e1639;
                                 phi_1544_ = (_e1016 & (_e1016 - 1u));
-                                phi_2304_ = true;
+                                phi_2300_ = true;
                             }
-                            let _e1645 = phi_1541_;
-                            let _e1647 = phi_1544_;
-                            let _e1649 = phi_2304_;
+                            let _e1641 = phi_1541_;
+                            let _e1643 = phi_1544_;
+                            let _e1645 = phi_2300_;
                             continue;
                             continuing {
-                                phi_1540_ = _e1645;
-                                phi_1543_ = _e1647;
-                                break if !(_e1649);
+                                phi_1540_ = _e1641;
+                                phi_1543_ = _e1643;
+                                break if !(_e1645);
                             }
                         }
-                        let _e1652 = local_2.group_mask;
-                        if ((_e1652 & 4278190080u) == 0u) {
-                            let _e1656 = local_2.len;
-                            if (_e1656 == 0u) {
-                                phi_2343_ = false;
+                        let _e1648 = local_2.group_mask;
+                        if ((_e1648 & 4278190080u) == 0u) {
+                            let _e1652 = local_2.len;
+                            if (_e1652 == 0u) {
+                                phi_2339_ = false;
                             } else {
-                                let _e1660 = local_2.len;
-                                local_2.len = (_e1660 - 1u);
-                                let _e1663 = local_2.len;
-                                if (_e1663 < 32u) {
+                                let _e1656 = local_2.len;
+                                local_2.len = (_e1656 - 1u);
+                                let _e1659 = local_2.len;
+                                if (_e1659 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1668 = local_2.first[(0u + _e1663)];
-                                local_2.group = _e1668;
-                                let _e1671 = local_2.len;
-                                if (_e1671 < 32u) {
+                                let _e1664 = local_2.first[(0u + _e1659)];
+                                local_2.group = _e1664;
+                                let _e1667 = local_2.len;
+                                if (_e1667 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1676 = local_2.mask[(0u + _e1671)];
-                                local_2.group_mask = _e1676;
-                                phi_2343_ = true;
+                                let _e1672 = local_2.mask[(0u + _e1667)];
+                                local_2.group_mask = _e1672;
+                                phi_2339_ = true;
                             }
-                            let _e1679 = phi_2343_;
-                            phi_2344_ = _e1679;
+                            let _e1675 = phi_2339_;
+                            phi_2340_ = _e1675;
                         } else {
-                            phi_2344_ = true;
+                            phi_2340_ = true;
                         }
-                        let _e1681 = phi_2344_;
-                        if _e1681 {
-                            let _e1683 = local_2.group_mask;
-                            let _e1689 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1683)), 32u, (_e1683 == 0u)));
-                            let _e1693 = local_2.group_mask;
-                            let _e1707 = local_2.group_mask;
-                            local_2.group_mask = (_e1707 & ~((1u << bitcast<u32>((_e1689 & 31u)))));
-                            let _e1710 = local_2.group;
-                            phi_2375_ = (_e1710 + countOneBits(((_e1693 & ~((4294967295u << bitcast<u32>((((_e1689 - 24u) ^ _e433) & 31u))))) & 255u)));
+                        let _e1677 = phi_2340_;
+                        if _e1677 {
+                            let _e1679 = local_2.group_mask;
+                            let _e1685 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1679)), 32u, (_e1679 == 0u)));
+                            let _e1689 = local_2.group_mask;
+                            let _e1703 = local_2.group_mask;
+                            local_2.group_mask = (_e1703 & ~((1u << bitcast<u32>((_e1685 & 31u)))));
+                            let _e1706 = local_2.group;
+                            phi_2371_ = (_e1706 + countOneBits(((_e1689 & ~((4294967295u << bitcast<u32>((((_e1685 - 24u) ^ _e433) & 31u))))) & 255u)));
                         } else {
-                            phi_2375_ = 4294967295u;
+                            phi_2371_ = 4294967295u;
                         }
-                        let _e1713 = phi_2375_;
-                        let _e2554 = local_6;
-                        phi_1204_ = _e2554;
-                        phi_1207_ = _e1713;
+                        let _e1709 = phi_2371_;
+                        let _e2550 = local_6;
+                        phi_1204_ = _e2550;
+                        phi_1207_ = _e1709;
                     } else {
                         phi_1204_ = lt_bvh_Hit();
                         phi_1207_ = u32();
                     }
-                    let _e1715 = phi_1204_;
-                    let _e1717 = phi_1207_;
+                    let _e1711 = phi_1204_;
+                    let _e1713 = phi_1207_;
                     continue;
                     continuing {
-                        phi_1203_ = _e1715;
-                        phi_1206_ = _e1717;
+                        phi_1203_ = _e1711;
+                        phi_1206_ = _e1713;
                         break if !(_e574);
                     }
                 }
-                let _e2558 = local_7;
-                phi_2376_ = _e2558;
+                let _e2554 = local_7;
+                phi_2372_ = _e2554;
             }
-            let _e1720 = phi_2376_;
-            phi_2377_ = _e1720;
-            phi_2378_ = _e228;
+            let _e1716 = phi_2372_;
+            phi_2373_ = _e1716;
+            phi_2374_ = _e228;
         } else {
-            phi_2377_ = lt_bvh_Hit();
-            phi_2378_ = true;
+            phi_2373_ = lt_bvh_Hit();
+            phi_2374_ = true;
         }
-        let _e1722 = phi_2377_;
-        let _e1724 = phi_2378_;
-        if _e1724 {
-            phi_2382_ = _e158;
+        let _e1718 = phi_2373_;
+        let _e1720 = phi_2374_;
+        if _e1720 {
+            phi_2378_ = _e158;
         } else {
-            phi_2382_ = _e1722;
+            phi_2378_ = _e1718;
         }
-        let _e1726 = phi_2382_;
-        if (_e1726.triangle != 4294967295u) {
-            let _e1732 = ((1f - _e1726.u) - _e1726.v);
-            if (_e1726.triangle < _e80) {
+        let _e1722 = phi_2378_;
+        if (_e1722.triangle != 4294967295u) {
+            let _e1728 = ((1f - _e1722.u) - _e1722.v);
+            if (_e1722.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1737 = triangles.member[(0u + _e1726.triangle)];
-            let _e1762 = (((_e1737.v0_.x * _e1732) + (_e1737.v1_.x * _e1726.u)) + (_e1737.v2_.x * _e1726.v));
-            let _e1763 = (((_e1737.v0_.y * _e1732) + (_e1737.v1_.y * _e1726.u)) + (_e1737.v2_.y * _e1726.v));
-            let _e1764 = (((_e1737.v0_.z * _e1732) + (_e1737.v1_.z * _e1726.u)) + (_e1737.v2_.z * _e1726.v));
-            let _e1767 = abs(_e1737.v0_.x);
-            let _e1769 = abs(_e1737.v0_.y);
-            let _e1771 = abs(_e1737.v0_.z);
-            let _e1773 = abs(_e1737.v1_.x);
-            let _e1775 = abs(_e1737.v1_.y);
-            let _e1777 = abs(_e1737.v1_.z);
+            let _e1733 = triangles.member[(0u + _e1722.triangle)];
+            let _e1758 = (((_e1733.v0_.x * _e1728) + (_e1733.v1_.x * _e1722.u)) + (_e1733.v2_.x * _e1722.v));
+            let _e1759 = (((_e1733.v0_.y * _e1728) + (_e1733.v1_.y * _e1722.u)) + (_e1733.v2_.y * _e1722.v));
+            let _e1760 = (((_e1733.v0_.z * _e1728) + (_e1733.v1_.z * _e1722.u)) + (_e1733.v2_.z * _e1722.v));
+            let _e1763 = abs(_e1733.v0_.x);
+            let _e1765 = abs(_e1733.v0_.y);
+            let _e1767 = abs(_e1733.v0_.z);
+            let _e1769 = abs(_e1733.v1_.x);
+            let _e1771 = abs(_e1733.v1_.y);
+            let _e1773 = abs(_e1733.v1_.z);
+            if (_e1763 > _e1769) {
+                phi_2442_ = _e1763;
+            } else {
+                phi_2442_ = _e1769;
+            }
+            let _e1776 = phi_2442_;
+            if (_e1765 > _e1771) {
+                phi_2447_ = _e1765;
+            } else {
+                phi_2447_ = _e1771;
+            }
+            let _e1779 = phi_2447_;
             if (_e1767 > _e1773) {
-                phi_2446_ = _e1767;
+                phi_2452_ = _e1767;
             } else {
-                phi_2446_ = _e1773;
+                phi_2452_ = _e1773;
             }
-            let _e1780 = phi_2446_;
-            if (_e1769 > _e1775) {
-                phi_2451_ = _e1769;
+            let _e1782 = phi_2452_;
+            let _e1784 = abs(_e1733.v2_.x);
+            let _e1786 = abs(_e1733.v2_.y);
+            let _e1788 = abs(_e1733.v2_.z);
+            if (_e1776 > _e1784) {
+                phi_2463_ = _e1776;
             } else {
-                phi_2451_ = _e1775;
+                phi_2463_ = _e1784;
             }
-            let _e1783 = phi_2451_;
-            if (_e1771 > _e1777) {
-                phi_2456_ = _e1771;
+            let _e1791 = phi_2463_;
+            if (_e1779 > _e1786) {
+                phi_2468_ = _e1779;
             } else {
-                phi_2456_ = _e1777;
+                phi_2468_ = _e1786;
             }
-            let _e1786 = phi_2456_;
-            let _e1788 = abs(_e1737.v2_.x);
-            let _e1790 = abs(_e1737.v2_.y);
-            let _e1792 = abs(_e1737.v2_.z);
-            if (_e1780 > _e1788) {
-                phi_2467_ = _e1780;
+            let _e1794 = phi_2468_;
+            if (_e1782 > _e1788) {
+                phi_2473_ = _e1782;
             } else {
-                phi_2467_ = _e1788;
+                phi_2473_ = _e1788;
             }
-            let _e1795 = phi_2467_;
-            if (_e1783 > _e1790) {
-                phi_2472_ = _e1783;
+            let _e1797 = phi_2473_;
+            let _e1800 = (_e1733.v1_.x - _e1733.v0_.x);
+            let _e1803 = (_e1733.v1_.y - _e1733.v0_.y);
+            let _e1806 = (_e1733.v1_.z - _e1733.v0_.z);
+            let _e1809 = (_e1733.v2_.x - _e1733.v0_.x);
+            let _e1812 = (_e1733.v2_.y - _e1733.v0_.y);
+            let _e1815 = (_e1733.v2_.z - _e1733.v0_.z);
+            let _e1819 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1803), abs(_e1806));
+            let _e1820 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1800), _e1819);
+            let _e1821 = (_e1800 / _e1820);
+            let _e1822 = (_e1803 / _e1820);
+            let _e1823 = (_e1806 / _e1820);
+            let _e1827 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1812), abs(_e1815));
+            let _e1828 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1809), _e1827);
+            let _e1829 = (_e1809 / _e1828);
+            let _e1830 = (_e1812 / _e1828);
+            let _e1831 = (_e1815 / _e1828);
+            let _e1834 = ((_e1822 * _e1831) - (_e1830 * _e1823));
+            let _e1837 = ((_e1823 * _e1829) - (_e1831 * _e1821));
+            let _e1840 = ((_e1821 * _e1830) - (_e1829 * _e1822));
+            let _e1842 = p.member.eye;
+            let _e1855 = (1f / sqrt((((_e1834 * _e1834) + (_e1837 * _e1837)) + (_e1840 * _e1840))));
+            let _e1856 = (_e1834 * _e1855);
+            let _e1857 = (_e1837 * _e1855);
+            let _e1858 = (_e1840 * _e1855);
+            if ((((_e1856 * (_e1842.x - _e1758)) + (_e1857 * (_e1842.y - _e1759))) + (_e1858 * (_e1842.z - _e1760))) < 0f) {
+                phi_2549_ = vec3<f32>(-(_e1856), -(_e1857), -(_e1858));
             } else {
-                phi_2472_ = _e1790;
+                phi_2549_ = vec3<f32>(_e1856, _e1857, _e1858);
             }
-            let _e1798 = phi_2472_;
-            if (_e1786 > _e1792) {
-                phi_2477_ = _e1786;
-            } else {
-                phi_2477_ = _e1792;
-            }
-            let _e1801 = phi_2477_;
-            let _e1804 = (_e1737.v1_.x - _e1737.v0_.x);
-            let _e1807 = (_e1737.v1_.y - _e1737.v0_.y);
-            let _e1810 = (_e1737.v1_.z - _e1737.v0_.z);
-            let _e1813 = (_e1737.v2_.x - _e1737.v0_.x);
-            let _e1816 = (_e1737.v2_.y - _e1737.v0_.y);
-            let _e1819 = (_e1737.v2_.z - _e1737.v0_.z);
-            let _e1823 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1807), abs(_e1810));
-            let _e1824 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1804), _e1823);
-            let _e1825 = (_e1804 / _e1824);
-            let _e1826 = (_e1807 / _e1824);
-            let _e1827 = (_e1810 / _e1824);
-            let _e1831 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1816), abs(_e1819));
-            let _e1832 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1813), _e1831);
-            let _e1833 = (_e1813 / _e1832);
-            let _e1834 = (_e1816 / _e1832);
-            let _e1835 = (_e1819 / _e1832);
-            let _e1838 = ((_e1826 * _e1835) - (_e1834 * _e1827));
-            let _e1841 = ((_e1827 * _e1833) - (_e1835 * _e1825));
-            let _e1844 = ((_e1825 * _e1834) - (_e1833 * _e1826));
-            let _e1846 = p.member.eye;
-            let _e1859 = (1f / sqrt((((_e1838 * _e1838) + (_e1841 * _e1841)) + (_e1844 * _e1844))));
-            let _e1860 = (_e1838 * _e1859);
-            let _e1861 = (_e1841 * _e1859);
-            let _e1862 = (_e1844 * _e1859);
-            if ((((_e1860 * (_e1846.x - _e1762)) + (_e1861 * (_e1846.y - _e1763))) + (_e1862 * (_e1846.z - _e1764))) < 0f) {
-                phi_2553_ = vec3<f32>(-(_e1860), -(_e1861), -(_e1862));
-            } else {
-                phi_2553_ = vec3<f32>(_e1860, _e1861, _e1862);
-            }
-            let _e1875 = phi_2553_;
-            if (_e1726.triangle < _e80) {
+            let _e1871 = phi_2549_;
+            if (_e1722.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1880 = triangles.member[(0u + _e1726.triangle)];
-            let _e1882 = (_e1880.i0_ & 2147483647u);
-            if (_e1882 < _e83) {
+            let _e1876 = triangles.member[(0u + _e1722.triangle)];
+            let _e1878 = (_e1876.i0_ & 2147483647u);
+            if (_e1878 < _e83) {
             } else {
                 return;
             }
-            let _e1888 = vertices.member[(0u + _e1882)];
-            if (_e1880.i1_ < _e83) {
+            let _e1884 = vertices.member[(0u + _e1878)];
+            if (_e1876.i1_ < _e83) {
             } else {
                 return;
             }
-            let _e1892 = vertices.member[(0u + _e1880.i1_)];
-            if (_e1880.i2_ < _e83) {
+            let _e1888 = vertices.member[(0u + _e1876.i1_)];
+            if (_e1876.i2_ < _e83) {
             } else {
                 return;
             }
-            let _e1896 = vertices.member[(0u + _e1880.i2_)];
-            let _e1897 = array<abi_Vertex, 3>(_e1888, _e1892, _e1896);
-            if (_e1897[0].material < _e86) {
+            let _e1892 = vertices.member[(0u + _e1876.i2_)];
+            let _e1893 = array<abi_Vertex, 3>(_e1884, _e1888, _e1892);
+            if (_e1893[0].material < _e86) {
             } else {
                 return;
             }
-            let _e1903 = materials.member[(0u + _e1897[0].material)];
-            let _e1920 = (1f / 255f);
-            let _e1939 = (1f / 255f);
-            let _e1961 = (1f / 255f);
-            if (_e1903.color_size == 0u) {
-                phi_2796_ = vec3<f32>(1f, 1f, 1f);
+            let _e1899 = materials.member[(0u + _e1893[0].material)];
+            let _e1916 = (1f / 255f);
+            let _e1935 = (1f / 255f);
+            let _e1957 = (1f / 255f);
+            if (_e1899.color_size == 0u) {
+                phi_2792_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1903.color_offset;
-                local.size = _e1903.color_size;
-                local.flags = _e1903.flags;
-                let _e2004 = _lt_shaders_texture_TextureView_quad((&local), (((_e1897[0].u * _e1732) + (_e1897[1].u * _e1726.u)) + (_e1897[2].u * _e1726.v)), (((_e1897[0].v * _e1732) + (_e1897[1].v * _e1726.u)) + (_e1897[2].v * _e1726.v)));
-                if (_e2004.indices[0] < _e95) {
+                local.offset = _e1899.color_offset;
+                local.size = _e1899.color_size;
+                local.flags = _e1899.flags;
+                let _e2000 = _lt_shaders_texture_TextureView_quad((&local), (((_e1893[0].u * _e1728) + (_e1893[1].u * _e1722.u)) + (_e1893[2].u * _e1722.v)), (((_e1893[0].v * _e1728) + (_e1893[1].v * _e1722.u)) + (_e1893[2].v * _e1722.v)));
+                if (_e2000.indices[0] < _e95) {
                 } else {
                     return;
                 }
-                let _e2010 = color_texels.member[(0u + _e2004.indices[0])];
-                let _e2021 = (1f / 255f);
-                if (_e2004.indices[1] < _e95) {
+                let _e2006 = color_texels.member[(0u + _e2000.indices[0])];
+                let _e2017 = (1f / 255f);
+                if (_e2000.indices[1] < _e95) {
                 } else {
                     return;
                 }
-                let _e2035 = color_texels.member[(0u + _e2004.indices[1])];
-                let _e2046 = (1f / 255f);
-                if (_e2004.indices[2] < _e95) {
+                let _e2031 = color_texels.member[(0u + _e2000.indices[1])];
+                let _e2042 = (1f / 255f);
+                if (_e2000.indices[2] < _e95) {
                 } else {
                     return;
                 }
-                let _e2063 = color_texels.member[(0u + _e2004.indices[2])];
-                let _e2074 = (1f / 255f);
-                if (_e2004.indices[3] < _e95) {
+                let _e2059 = color_texels.member[(0u + _e2000.indices[2])];
+                let _e2070 = (1f / 255f);
+                if (_e2000.indices[3] < _e95) {
                 } else {
                     return;
                 }
-                let _e2091 = color_texels.member[(0u + _e2004.indices[3])];
-                let _e2102 = (1f / 255f);
-                let _e2111 = (((((f32((_e2010 & 255u)) * _e2021) * _e2004.weights.x) + ((f32((_e2035 & 255u)) * _e2046) * _e2004.weights.y)) + ((f32((_e2063 & 255u)) * _e2074) * _e2004.weights.z)) + ((f32((_e2091 & 255u)) * _e2102) * _e2004.weights.w));
-                let _e2112 = (((((f32(((_e2010 >> bitcast<u32>(8i)) & 255u)) * _e2021) * _e2004.weights.x) + ((f32(((_e2035 >> bitcast<u32>(8i)) & 255u)) * _e2046) * _e2004.weights.y)) + ((f32(((_e2063 >> bitcast<u32>(8i)) & 255u)) * _e2074) * _e2004.weights.z)) + ((f32(((_e2091 >> bitcast<u32>(8i)) & 255u)) * _e2102) * _e2004.weights.w));
-                let _e2113 = (((((f32(((_e2010 >> bitcast<u32>(16i)) & 255u)) * _e2021) * _e2004.weights.x) + ((f32(((_e2035 >> bitcast<u32>(16i)) & 255u)) * _e2046) * _e2004.weights.y)) + ((f32(((_e2063 >> bitcast<u32>(16i)) & 255u)) * _e2074) * _e2004.weights.z)) + ((f32(((_e2091 >> bitcast<u32>(16i)) & 255u)) * _e2102) * _e2004.weights.w));
-                phi_2796_ = vec3<f32>((_e2111 * _e2111), (_e2112 * _e2112), (_e2113 * _e2113));
+                let _e2087 = color_texels.member[(0u + _e2000.indices[3])];
+                let _e2098 = (1f / 255f);
+                let _e2107 = (((((f32((_e2006 & 255u)) * _e2017) * _e2000.weights.x) + ((f32((_e2031 & 255u)) * _e2042) * _e2000.weights.y)) + ((f32((_e2059 & 255u)) * _e2070) * _e2000.weights.z)) + ((f32((_e2087 & 255u)) * _e2098) * _e2000.weights.w));
+                let _e2108 = (((((f32(((_e2006 >> bitcast<u32>(8i)) & 255u)) * _e2017) * _e2000.weights.x) + ((f32(((_e2031 >> bitcast<u32>(8i)) & 255u)) * _e2042) * _e2000.weights.y)) + ((f32(((_e2059 >> bitcast<u32>(8i)) & 255u)) * _e2070) * _e2000.weights.z)) + ((f32(((_e2087 >> bitcast<u32>(8i)) & 255u)) * _e2098) * _e2000.weights.w));
+                let _e2109 = (((((f32(((_e2006 >> bitcast<u32>(16i)) & 255u)) * _e2017) * _e2000.weights.x) + ((f32(((_e2031 >> bitcast<u32>(16i)) & 255u)) * _e2042) * _e2000.weights.y)) + ((f32(((_e2059 >> bitcast<u32>(16i)) & 255u)) * _e2070) * _e2000.weights.z)) + ((f32(((_e2087 >> bitcast<u32>(16i)) & 255u)) * _e2098) * _e2000.weights.w));
+                phi_2792_ = vec3<f32>((_e2107 * _e2107), (_e2108 * _e2108), (_e2109 * _e2109));
             }
-            let _e2119 = phi_2796_;
-            let _e2121 = ((_e1903.base_color.x * ((((f32((_e1897[0].color & 255u)) * _e1920) * _e1732) + ((f32((_e1897[1].color & 255u)) * _e1939) * _e1726.u)) + ((f32((_e1897[2].color & 255u)) * _e1961) * _e1726.v))) * _e2119.x);
-            let _e2123 = ((_e1903.base_color.y * ((((f32(((_e1897[0].color >> bitcast<u32>(8i)) & 255u)) * _e1920) * _e1732) + ((f32(((_e1897[1].color >> bitcast<u32>(8i)) & 255u)) * _e1939) * _e1726.u)) + ((f32(((_e1897[2].color >> bitcast<u32>(8i)) & 255u)) * _e1961) * _e1726.v))) * _e2119.y);
-            let _e2125 = ((_e1903.base_color.z * ((((f32(((_e1897[0].color >> bitcast<u32>(16i)) & 255u)) * _e1920) * _e1732) + ((f32(((_e1897[1].color >> bitcast<u32>(16i)) & 255u)) * _e1939) * _e1726.u)) + ((f32(((_e1897[2].color >> bitcast<u32>(16i)) & 255u)) * _e1961) * _e1726.v))) * _e2119.z);
-            let _e2126 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1798, _e1801);
-            let _e2127 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1795, _e2126);
-            if ((_e1903.flags & 2u) == 0u) {
-                phi_2811_ = 0u;
+            let _e2115 = phi_2792_;
+            let _e2117 = ((_e1899.base_color.x * ((((f32((_e1893[0].color & 255u)) * _e1916) * _e1728) + ((f32((_e1893[1].color & 255u)) * _e1935) * _e1722.u)) + ((f32((_e1893[2].color & 255u)) * _e1957) * _e1722.v))) * _e2115.x);
+            let _e2119 = ((_e1899.base_color.y * ((((f32(((_e1893[0].color >> bitcast<u32>(8i)) & 255u)) * _e1916) * _e1728) + ((f32(((_e1893[1].color >> bitcast<u32>(8i)) & 255u)) * _e1935) * _e1722.u)) + ((f32(((_e1893[2].color >> bitcast<u32>(8i)) & 255u)) * _e1957) * _e1722.v))) * _e2115.y);
+            let _e2121 = ((_e1899.base_color.z * ((((f32(((_e1893[0].color >> bitcast<u32>(16i)) & 255u)) * _e1916) * _e1728) + ((f32(((_e1893[1].color >> bitcast<u32>(16i)) & 255u)) * _e1935) * _e1722.u)) + ((f32(((_e1893[2].color >> bitcast<u32>(16i)) & 255u)) * _e1957) * _e1722.v))) * _e2115.z);
+            let _e2122 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1794, _e1797);
+            let _e2123 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1791, _e2122);
+            if ((_e1899.flags & 2u) == 0u) {
+                phi_2807_ = 0u;
             } else {
-                phi_2811_ = 1u;
+                phi_2807_ = 1u;
             }
-            let _e2132 = phi_2811_;
-            if (_e1897[0].normal == 2147516416u) {
-                phi_3014_ = _e1875;
+            let _e2128 = phi_2807_;
+            if (_e1893[0].normal == 2147516416u) {
+                phi_3010_ = _e1871;
             } else {
-                let _e2145 = (f32((bitcast<i32>((_e1897[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2151 = (f32((bitcast<i32>(_e1897[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2155 = ((1f - abs(_e2145)) - abs(_e2151));
-                if (_e2155 < 0f) {
-                    phi_2838_ = -(_e2155);
-                } else {
-                    phi_2838_ = 0f;
-                }
-                let _e2159 = phi_2838_;
-                if (_e2145 < 0f) {
-                    phi_2845_ = (_e2145 + _e2159);
-                } else {
-                    phi_2845_ = (_e2145 - _e2159);
-                }
-                let _e2164 = phi_2845_;
+                let _e2141 = (f32((bitcast<i32>((_e1893[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2147 = (f32((bitcast<i32>(_e1893[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2151 = ((1f - abs(_e2141)) - abs(_e2147));
                 if (_e2151 < 0f) {
-                    phi_2852_ = (_e2151 + _e2159);
+                    phi_2834_ = -(_e2151);
                 } else {
-                    phi_2852_ = (_e2151 - _e2159);
+                    phi_2834_ = 0f;
                 }
-                let _e2169 = phi_2852_;
-                let _e2176 = (1f / sqrt((((_e2164 * _e2164) + (_e2169 * _e2169)) + (_e2155 * _e2155))));
-                let _e2192 = (f32((bitcast<i32>((_e1897[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2198 = (f32((bitcast<i32>(_e1897[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2202 = ((1f - abs(_e2192)) - abs(_e2198));
-                if (_e2202 < 0f) {
-                    phi_2887_ = -(_e2202);
+                let _e2155 = phi_2834_;
+                if (_e2141 < 0f) {
+                    phi_2841_ = (_e2141 + _e2155);
                 } else {
-                    phi_2887_ = 0f;
+                    phi_2841_ = (_e2141 - _e2155);
                 }
-                let _e2206 = phi_2887_;
-                if (_e2192 < 0f) {
-                    phi_2894_ = (_e2192 + _e2206);
+                let _e2160 = phi_2841_;
+                if (_e2147 < 0f) {
+                    phi_2848_ = (_e2147 + _e2155);
                 } else {
-                    phi_2894_ = (_e2192 - _e2206);
+                    phi_2848_ = (_e2147 - _e2155);
                 }
-                let _e2211 = phi_2894_;
+                let _e2165 = phi_2848_;
+                let _e2172 = (1f / sqrt((((_e2160 * _e2160) + (_e2165 * _e2165)) + (_e2151 * _e2151))));
+                let _e2188 = (f32((bitcast<i32>((_e1893[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2194 = (f32((bitcast<i32>(_e1893[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2198 = ((1f - abs(_e2188)) - abs(_e2194));
                 if (_e2198 < 0f) {
-                    phi_2901_ = (_e2198 + _e2206);
+                    phi_2883_ = -(_e2198);
                 } else {
-                    phi_2901_ = (_e2198 - _e2206);
+                    phi_2883_ = 0f;
                 }
-                let _e2216 = phi_2901_;
-                let _e2223 = (1f / sqrt((((_e2211 * _e2211) + (_e2216 * _e2216)) + (_e2202 * _e2202))));
-                let _e2242 = (f32((bitcast<i32>((_e1897[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2248 = (f32((bitcast<i32>(_e1897[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2252 = ((1f - abs(_e2242)) - abs(_e2248));
-                if (_e2252 < 0f) {
-                    phi_2939_ = -(_e2252);
+                let _e2202 = phi_2883_;
+                if (_e2188 < 0f) {
+                    phi_2890_ = (_e2188 + _e2202);
                 } else {
-                    phi_2939_ = 0f;
+                    phi_2890_ = (_e2188 - _e2202);
                 }
-                let _e2256 = phi_2939_;
-                if (_e2242 < 0f) {
-                    phi_2946_ = (_e2242 + _e2256);
+                let _e2207 = phi_2890_;
+                if (_e2194 < 0f) {
+                    phi_2897_ = (_e2194 + _e2202);
                 } else {
-                    phi_2946_ = (_e2242 - _e2256);
+                    phi_2897_ = (_e2194 - _e2202);
                 }
-                let _e2261 = phi_2946_;
+                let _e2212 = phi_2897_;
+                let _e2219 = (1f / sqrt((((_e2207 * _e2207) + (_e2212 * _e2212)) + (_e2198 * _e2198))));
+                let _e2238 = (f32((bitcast<i32>((_e1893[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2244 = (f32((bitcast<i32>(_e1893[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2248 = ((1f - abs(_e2238)) - abs(_e2244));
                 if (_e2248 < 0f) {
-                    phi_2953_ = (_e2248 + _e2256);
+                    phi_2935_ = -(_e2248);
                 } else {
-                    phi_2953_ = (_e2248 - _e2256);
+                    phi_2935_ = 0f;
                 }
-                let _e2266 = phi_2953_;
-                let _e2273 = (1f / sqrt((((_e2261 * _e2261) + (_e2266 * _e2266)) + (_e2252 * _e2252))));
-                let _e2284 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2164 * _e2176) * _e1732) + ((_e2211 * _e2223) * _e1726.u)) + ((_e2261 * _e2273) * _e1726.v)), ((((_e2169 * _e2176) * _e1732) + ((_e2216 * _e2223) * _e1726.u)) + ((_e2266 * _e2273) * _e1726.v)), ((((_e2155 * _e2176) * _e1732) + ((_e2202 * _e2223) * _e1726.u)) + ((_e2252 * _e2273) * _e1726.v))));
-                let _e2296 = sqrt((((_e2284.x * _e2284.x) + (_e2284.y * _e2284.y)) + (_e2284.z * _e2284.z)));
-                if (_e2296 > 0f) {
-                    let _e2299 = (_e2284.x / _e2296);
-                    let _e2301 = (_e2284.y / _e2296);
-                    let _e2303 = (_e2284.z / _e2296);
-                    if ((((_e2299 * _e1875.x) + (_e2301 * _e1875.y)) + (_e2303 * _e1875.z)) < 0f) {
-                        phi_3012_ = vec3<f32>(-(_e2299), -(_e2301), -(_e2303));
+                let _e2252 = phi_2935_;
+                if (_e2238 < 0f) {
+                    phi_2942_ = (_e2238 + _e2252);
+                } else {
+                    phi_2942_ = (_e2238 - _e2252);
+                }
+                let _e2257 = phi_2942_;
+                if (_e2244 < 0f) {
+                    phi_2949_ = (_e2244 + _e2252);
+                } else {
+                    phi_2949_ = (_e2244 - _e2252);
+                }
+                let _e2262 = phi_2949_;
+                let _e2269 = (1f / sqrt((((_e2257 * _e2257) + (_e2262 * _e2262)) + (_e2248 * _e2248))));
+                let _e2280 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2160 * _e2172) * _e1728) + ((_e2207 * _e2219) * _e1722.u)) + ((_e2257 * _e2269) * _e1722.v)), ((((_e2165 * _e2172) * _e1728) + ((_e2212 * _e2219) * _e1722.u)) + ((_e2262 * _e2269) * _e1722.v)), ((((_e2151 * _e2172) * _e1728) + ((_e2198 * _e2219) * _e1722.u)) + ((_e2248 * _e2269) * _e1722.v))));
+                let _e2292 = sqrt((((_e2280.x * _e2280.x) + (_e2280.y * _e2280.y)) + (_e2280.z * _e2280.z)));
+                if (_e2292 > 0f) {
+                    let _e2295 = (_e2280.x / _e2292);
+                    let _e2297 = (_e2280.y / _e2292);
+                    let _e2299 = (_e2280.z / _e2292);
+                    if ((((_e2295 * _e1871.x) + (_e2297 * _e1871.y)) + (_e2299 * _e1871.z)) < 0f) {
+                        phi_3008_ = vec3<f32>(-(_e2295), -(_e2297), -(_e2299));
                     } else {
-                        phi_3012_ = (_e2284 / vec3(_e2296));
+                        phi_3008_ = (_e2280 / vec3(_e2292));
                     }
-                    let _e2320 = phi_3012_;
-                    phi_3013_ = _e2320;
+                    let _e2316 = phi_3008_;
+                    phi_3009_ = _e2316;
                 } else {
-                    phi_3013_ = _e1875;
+                    phi_3009_ = _e1871;
                 }
-                let _e2322 = phi_3013_;
-                phi_3014_ = _e2322;
+                let _e2318 = phi_3009_;
+                phi_3010_ = _e2318;
             }
-            let _e2324 = phi_3014_;
+            let _e2320 = phi_3010_;
+            if (_e2117 > 0f) {
+                if (_e2117 < 1f) {
+                    phi_3019_ = _e2117;
+                } else {
+                    phi_3019_ = 1f;
+                }
+                let _e2324 = phi_3019_;
+                phi_3020_ = _e2324;
+            } else {
+                phi_3020_ = 0f;
+            }
+            let _e2326 = phi_3020_;
+            if (_e2119 > 0f) {
+                if (_e2119 < 1f) {
+                    phi_3030_ = _e2119;
+                } else {
+                    phi_3030_ = 1f;
+                }
+                let _e2331 = phi_3030_;
+                phi_3031_ = _e2331;
+            } else {
+                phi_3031_ = 0f;
+            }
+            let _e2333 = phi_3031_;
             if (_e2121 > 0f) {
                 if (_e2121 < 1f) {
-                    phi_3023_ = _e2121;
+                    phi_3041_ = _e2121;
                 } else {
-                    phi_3023_ = 1f;
+                    phi_3041_ = 1f;
                 }
-                let _e2328 = phi_3023_;
-                phi_3024_ = _e2328;
+                let _e2338 = phi_3041_;
+                phi_3042_ = _e2338;
             } else {
-                phi_3024_ = 0f;
+                phi_3042_ = 0f;
             }
-            let _e2330 = phi_3024_;
-            if (_e2123 > 0f) {
-                if (_e2123 < 1f) {
-                    phi_3034_ = _e2123;
-                } else {
-                    phi_3034_ = 1f;
-                }
-                let _e2335 = phi_3034_;
-                phi_3035_ = _e2335;
-            } else {
-                phi_3035_ = 0f;
-            }
-            let _e2337 = phi_3035_;
-            if (_e2125 > 0f) {
-                if (_e2125 < 1f) {
-                    phi_3045_ = _e2125;
-                } else {
-                    phi_3045_ = 1f;
-                }
-                let _e2342 = phi_3045_;
-                phi_3046_ = _e2342;
-            } else {
-                phi_3046_ = 0f;
-            }
-            let _e2344 = phi_3046_;
-            let _e2347 = ((sqrt(_e2330) * 255f) + 0.5f);
-            let _e2356 = ((sqrt(_e2337) * 255f) + 0.5f);
-            let _e2368 = ((sqrt(_e2344) * 255f) + 0.5f);
-            phi_3081_ = abi_Sample(vec3<f32>(_e1762, _e1763, _e1764), _e2127, _e1875, _e2132, _e2324, ((select(select(u32(_e2347), 0u, (_e2347 < bitcast<f32>(0u))), 4294967295u, (_e2347 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2356), 0u, (_e2356 < bitcast<f32>(0u))), 4294967295u, (_e2356 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2368), 0u, (_e2368 < bitcast<f32>(0u))), 4294967295u, (_e2368 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2340 = phi_3042_;
+            let _e2343 = ((sqrt(_e2326) * 255f) + 0.5f);
+            let _e2352 = ((sqrt(_e2333) * 255f) + 0.5f);
+            let _e2364 = ((sqrt(_e2340) * 255f) + 0.5f);
+            phi_3077_ = abi_Sample(vec3<f32>(_e1758, _e1759, _e1760), _e2123, _e1871, _e2128, _e2320, ((select(select(u32(_e2343), 0u, (_e2343 < bitcast<f32>(0u))), 4294967295u, (_e2343 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2352), 0u, (_e2352 < bitcast<f32>(0u))), 4294967295u, (_e2352 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2364), 0u, (_e2364 < bitcast<f32>(0u))), 4294967295u, (_e2364 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3081_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3077_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2382 = phi_3081_;
+        let _e2378 = phi_3077_;
         if (_e101.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e101.first_primitive)] = _e2382;
+        samples.member[(0u + _e101.first_primitive)] = _e2378;
     }
     return;
 }

@@ -549,58 +549,58 @@ fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSour
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_8: f32, param_9: f32) -> f32 {
-    var phi_2946_: f32;
+    var phi_2942_: f32;
 
     if (param_8 > param_9) {
-        phi_2946_ = param_8;
+        phi_2942_ = param_8;
     } else {
-        phi_2946_ = param_9;
+        phi_2942_ = param_9;
     }
-    let _e73 = phi_2946_;
+    let _e73 = phi_2942_;
     return _e73;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_2934_: bool;
-    var phi_2938_: f32;
+    var phi_2930_: bool;
+    var phi_2934_: f32;
 
     if (param_10 != param_10) {
-        phi_2934_ = true;
+        phi_2930_ = true;
     } else {
         let _e72 = (param_11 <= param_10);
         if _e72 {
         }
-        phi_2934_ = _e72;
+        phi_2930_ = _e72;
     }
-    let _e74 = phi_2934_;
+    let _e74 = phi_2930_;
     if _e74 {
-        phi_2938_ = param_11;
+        phi_2934_ = param_11;
     } else {
-        phi_2938_ = param_10;
+        phi_2934_ = param_10;
     }
-    let _e76 = phi_2938_;
+    let _e76 = phi_2934_;
     return _e76;
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_12: f32, param_13: f32) -> f32 {
-    var phi_2918_: bool;
-    var phi_2922_: f32;
+    var phi_2914_: bool;
+    var phi_2918_: f32;
 
     if (param_12 != param_12) {
-        phi_2918_ = true;
+        phi_2914_ = true;
     } else {
         let _e72 = (param_13 >= param_12);
         if _e72 {
         }
-        phi_2918_ = _e72;
+        phi_2914_ = _e72;
     }
-    let _e74 = phi_2918_;
+    let _e74 = phi_2914_;
     if _e74 {
-        phi_2922_ = param_13;
+        phi_2918_ = param_13;
     } else {
-        phi_2922_ = param_12;
+        phi_2918_ = param_12;
     }
-    let _e76 = phi_2922_;
+    let _e76 = phi_2918_;
     return _e76;
 }
 
@@ -763,53 +763,53 @@ fn function_() {
     var phi_2023_: bool;
     var phi_2027_: bool;
     var phi_2028_: bool;
-    var phi_2235_: f32;
-    var phi_2238_: bool;
+    var phi_2231_: f32;
+    var phi_2234_: bool;
+    var phi_2235_: bool;
     var phi_2239_: bool;
-    var phi_2243_: bool;
-    var phi_2251_: lt_bvh_Hit;
-    var phi_2252_: lt_bvh_Hit;
-    var phi_2253_: lt_bvh_Hit;
-    var phi_2254_: lt_bvh_Hit;
+    var phi_2247_: lt_bvh_Hit;
+    var phi_2248_: lt_bvh_Hit;
+    var phi_2249_: lt_bvh_Hit;
+    var phi_2250_: lt_bvh_Hit;
     var phi_1492_: lt_bvh_Hit;
     var phi_1495_: u32;
-    var phi_2255_: bool;
-    var phi_2294_: bool;
-    var phi_2295_: bool;
-    var phi_2326_: u32;
+    var phi_2251_: bool;
+    var phi_2290_: bool;
+    var phi_2291_: bool;
+    var phi_2322_: u32;
     var phi_1155_: lt_bvh_Hit;
     var phi_1158_: u32;
-    var phi_2327_: lt_bvh_Hit;
-    var phi_2328_: lt_bvh_Hit;
-    var phi_2329_: bool;
-    var phi_2333_: lt_bvh_Hit;
-    var phi_2398_: f32;
-    var phi_2403_: f32;
-    var phi_2408_: f32;
-    var phi_2419_: f32;
-    var phi_2424_: f32;
-    var phi_2429_: f32;
-    var phi_2505_: vec3<f32>;
-    var phi_2626_: u32;
-    var phi_2653_: f32;
-    var phi_2660_: f32;
-    var phi_2667_: f32;
-    var phi_2702_: f32;
-    var phi_2709_: f32;
-    var phi_2716_: f32;
-    var phi_2754_: f32;
-    var phi_2761_: f32;
-    var phi_2768_: f32;
-    var phi_2827_: vec3<f32>;
-    var phi_2828_: vec3<f32>;
-    var phi_2829_: vec3<f32>;
-    var phi_2838_: f32;
-    var phi_2839_: f32;
-    var phi_2849_: f32;
-    var phi_2850_: f32;
-    var phi_2860_: f32;
-    var phi_2861_: f32;
-    var phi_2896_: abi_Sample;
+    var phi_2323_: lt_bvh_Hit;
+    var phi_2324_: lt_bvh_Hit;
+    var phi_2325_: bool;
+    var phi_2329_: lt_bvh_Hit;
+    var phi_2394_: f32;
+    var phi_2399_: f32;
+    var phi_2404_: f32;
+    var phi_2415_: f32;
+    var phi_2420_: f32;
+    var phi_2425_: f32;
+    var phi_2501_: vec3<f32>;
+    var phi_2622_: u32;
+    var phi_2649_: f32;
+    var phi_2656_: f32;
+    var phi_2663_: f32;
+    var phi_2698_: f32;
+    var phi_2705_: f32;
+    var phi_2712_: f32;
+    var phi_2750_: f32;
+    var phi_2757_: f32;
+    var phi_2764_: f32;
+    var phi_2823_: vec3<f32>;
+    var phi_2824_: vec3<f32>;
+    var phi_2825_: vec3<f32>;
+    var phi_2834_: f32;
+    var phi_2835_: f32;
+    var phi_2845_: f32;
+    var phi_2846_: f32;
+    var phi_2856_: f32;
+    var phi_2857_: f32;
+    var phi_2892_: abi_Sample;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -942,7 +942,7 @@ fn function_() {
         if _e222 {
             let _e223 = (0u >= _e75);
             if _e223 {
-                phi_2327_ = lt_bvh_Hit();
+                phi_2323_ = lt_bvh_Hit();
             } else {
                 if (0u < _e75) {
                 } else {
@@ -1337,7 +1337,7 @@ fn function_() {
                             if (_e1011 == 0u) {
                                 phi_1492_ = lt_bvh_Hit();
                                 phi_1495_ = u32();
-                                phi_2255_ = false;
+                                phi_2251_ = false;
                             } else {
                                 let _e1015 = nodes.member[(0u + _e568)].links[1u];
                                 let _e1020 = ((0u + _e1015) + select(firstTrailingBit(_e1011), 32u, (_e1011 == 0u)));
@@ -1820,7 +1820,7 @@ fn function_() {
                                         if _e1430 {
                                             let _e1432 = triangles.member[(0u + _e1020)].i0_;
                                             if ((_e1432 & 2147483648u) == 0u) {
-                                                phi_2243_ = true;
+                                                phi_2239_ = true;
                                             } else {
                                                 if (_e1020 < _e78) {
                                                 } else {
@@ -1854,432 +1854,432 @@ fn function_() {
                                                 if ((_e1465.flags & 0u) == 0u) {
                                                     let _e1470 = ((1f - _e1397.u) - _e1397.v);
                                                     if (_e1465.cutoff <= 0f) {
-                                                        phi_2238_ = true;
+                                                        phi_2234_ = true;
                                                     } else {
-                                                        let _e1501 = (_e1465.base_color.w * ((((f32((_e1459[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1470) + ((f32((_e1459[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1397.u)) + ((f32((_e1459[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1397.v)));
+                                                        let _e1497 = (_e1465.base_color.w * ((((f32((_e1459[0].color >> bitcast<u32>(24i))) * _e1470) + (f32((_e1459[1].color >> bitcast<u32>(24i))) * _e1397.u)) + (f32((_e1459[2].color >> bitcast<u32>(24i))) * _e1397.v)) * (1f / 255f)));
                                                         if (_e1465.alpha_size == 0u) {
-                                                            phi_2235_ = _e1501;
+                                                            phi_2231_ = _e1497;
                                                         } else {
                                                             local.offset = _e1465.alpha_offset;
                                                             local.size = _e1465.alpha_size;
                                                             local.flags = _e1465.flags;
-                                                            let _e1532 = _lt_shaders_texture_TextureView_quad((&local), (((_e1459[0].u * _e1470) + (_e1459[1].u * _e1397.u)) + (_e1459[2].u * _e1397.v)), (((_e1459[0].v * _e1470) + (_e1459[1].v * _e1397.u)) + (_e1459[2].v * _e1397.v)));
-                                                            let _e1536 = (_e1532.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1536 < _e90) {
+                                                            let _e1528 = _lt_shaders_texture_TextureView_quad((&local), (((_e1459[0].u * _e1470) + (_e1459[1].u * _e1397.u)) + (_e1459[2].u * _e1397.v)), (((_e1459[0].v * _e1470) + (_e1459[1].v * _e1397.u)) + (_e1459[2].v * _e1397.v)));
+                                                            let _e1532 = (_e1528.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1532 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1540 = alpha_texels.member[(0u + _e1536)];
-                                                            let _e1556 = (_e1532.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1556 < _e90) {
+                                                            let _e1536 = alpha_texels.member[(0u + _e1532)];
+                                                            let _e1552 = (_e1528.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1552 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1560 = alpha_texels.member[(0u + _e1556)];
-                                                            let _e1577 = (_e1532.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1577 < _e90) {
+                                                            let _e1556 = alpha_texels.member[(0u + _e1552)];
+                                                            let _e1573 = (_e1528.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1573 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1581 = alpha_texels.member[(0u + _e1577)];
-                                                            let _e1598 = (_e1532.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1598 < _e90) {
+                                                            let _e1577 = alpha_texels.member[(0u + _e1573)];
+                                                            let _e1594 = (_e1528.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1594 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1602 = alpha_texels.member[(0u + _e1598)];
-                                                            phi_2235_ = (_e1501 * (((((f32(((_e1540 >> bitcast<u32>((((_e1532.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1532.weights.x) + ((f32(((_e1560 >> bitcast<u32>((((_e1532.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1532.weights.y)) + ((f32(((_e1581 >> bitcast<u32>((((_e1532.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1532.weights.z)) + ((f32(((_e1602 >> bitcast<u32>((((_e1532.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1532.weights.w)));
+                                                            let _e1598 = alpha_texels.member[(0u + _e1594)];
+                                                            phi_2231_ = (_e1497 * (((((f32(((_e1536 >> bitcast<u32>((((_e1528.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1528.weights.x) + ((f32(((_e1556 >> bitcast<u32>((((_e1528.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1528.weights.y)) + ((f32(((_e1577 >> bitcast<u32>((((_e1528.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1528.weights.z)) + ((f32(((_e1598 >> bitcast<u32>((((_e1528.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1528.weights.w)));
                                                         }
-                                                        let _e1618 = phi_2235_;
-                                                        phi_2238_ = (_e1618 >= _e1465.cutoff);
+                                                        let _e1614 = phi_2231_;
+                                                        phi_2234_ = (_e1614 >= _e1465.cutoff);
                                                     }
-                                                    let _e1622 = phi_2238_;
-                                                    phi_2239_ = _e1622;
+                                                    let _e1618 = phi_2234_;
+                                                    phi_2235_ = _e1618;
                                                 } else {
-                                                    phi_2239_ = false;
+                                                    phi_2235_ = false;
                                                 }
-                                                let _e1624 = phi_2239_;
-                                                if _e1624 {
+                                                let _e1620 = phi_2235_;
+                                                if _e1620 {
                                                 }
-                                                phi_2243_ = _e1624;
+                                                phi_2239_ = _e1620;
                                             }
-                                            let _e1626 = phi_2243_;
-                                            if _e1626 {
-                                                phi_2251_ = lt_bvh_Hit(_e1397.t, _e1397.u, _e1397.v, _e1020, 4294967295u);
+                                            let _e1622 = phi_2239_;
+                                            if _e1622 {
+                                                phi_2247_ = lt_bvh_Hit(_e1397.t, _e1397.u, _e1397.v, _e1020, 4294967295u);
                                             } else {
-                                                phi_2251_ = _e1009;
+                                                phi_2247_ = _e1009;
                                             }
-                                            let _e1632 = phi_2251_;
-                                            phi_2252_ = _e1632;
+                                            let _e1628 = phi_2247_;
+                                            phi_2248_ = _e1628;
                                         } else {
-                                            phi_2252_ = _e1009;
+                                            phi_2248_ = _e1009;
                                         }
-                                        let _e1634 = phi_2252_;
-                                        phi_2253_ = _e1634;
+                                        let _e1630 = phi_2248_;
+                                        phi_2249_ = _e1630;
                                     } else {
-                                        phi_2253_ = _e1009;
+                                        phi_2249_ = _e1009;
                                     }
-                                    let _e1636 = phi_2253_;
-                                    phi_2254_ = _e1636;
+                                    let _e1632 = phi_2249_;
+                                    phi_2250_ = _e1632;
                                 } else {
-                                    phi_2254_ = _e1009;
+                                    phi_2250_ = _e1009;
                                 }
-                                let _e1638 = phi_2254_;
-                                phi_1492_ = _e1638;
+                                let _e1634 = phi_2250_;
+                                phi_1492_ = _e1634;
                                 phi_1495_ = (_e1011 & (_e1011 - 1u));
-                                phi_2255_ = true;
+                                phi_2251_ = true;
                             }
-                            let _e1640 = phi_1492_;
-                            let _e1642 = phi_1495_;
-                            let _e1644 = phi_2255_;
+                            let _e1636 = phi_1492_;
+                            let _e1638 = phi_1495_;
+                            let _e1640 = phi_2251_;
                             continue;
                             continuing {
-                                phi_1491_ = _e1640;
-                                phi_1494_ = _e1642;
-                                break if !(_e1644);
+                                phi_1491_ = _e1636;
+                                phi_1494_ = _e1638;
+                                break if !(_e1640);
                             }
                         }
-                        let _e1647 = local_1.group_mask;
-                        if ((_e1647 & 4278190080u) == 0u) {
-                            let _e1651 = local_1.len;
-                            if (_e1651 == 0u) {
-                                phi_2294_ = false;
+                        let _e1643 = local_1.group_mask;
+                        if ((_e1643 & 4278190080u) == 0u) {
+                            let _e1647 = local_1.len;
+                            if (_e1647 == 0u) {
+                                phi_2290_ = false;
                             } else {
-                                let _e1655 = local_1.len;
-                                local_1.len = (_e1655 - 1u);
-                                let _e1658 = local_1.len;
-                                if (_e1658 < 32u) {
+                                let _e1651 = local_1.len;
+                                local_1.len = (_e1651 - 1u);
+                                let _e1654 = local_1.len;
+                                if (_e1654 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1663 = local_1.first[(0u + _e1658)];
-                                local_1.group = _e1663;
-                                let _e1666 = local_1.len;
-                                if (_e1666 < 32u) {
+                                let _e1659 = local_1.first[(0u + _e1654)];
+                                local_1.group = _e1659;
+                                let _e1662 = local_1.len;
+                                if (_e1662 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1671 = local_1.mask[(0u + _e1666)];
-                                local_1.group_mask = _e1671;
-                                phi_2294_ = true;
+                                let _e1667 = local_1.mask[(0u + _e1662)];
+                                local_1.group_mask = _e1667;
+                                phi_2290_ = true;
                             }
-                            let _e1674 = phi_2294_;
-                            phi_2295_ = _e1674;
+                            let _e1670 = phi_2290_;
+                            phi_2291_ = _e1670;
                         } else {
-                            phi_2295_ = true;
+                            phi_2291_ = true;
                         }
-                        let _e1676 = phi_2295_;
-                        if _e1676 {
-                            let _e1678 = local_1.group_mask;
-                            let _e1684 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1678)), 32u, (_e1678 == 0u)));
-                            let _e1688 = local_1.group_mask;
-                            let _e1702 = local_1.group_mask;
-                            local_1.group_mask = (_e1702 & ~((1u << bitcast<u32>((_e1684 & 31u)))));
-                            let _e1705 = local_1.group;
-                            phi_2326_ = (_e1705 + countOneBits(((_e1688 & ~((4294967295u << bitcast<u32>((((_e1684 - 24u) ^ _e428) & 31u))))) & 255u)));
+                        let _e1672 = phi_2291_;
+                        if _e1672 {
+                            let _e1674 = local_1.group_mask;
+                            let _e1680 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1674)), 32u, (_e1674 == 0u)));
+                            let _e1684 = local_1.group_mask;
+                            let _e1698 = local_1.group_mask;
+                            local_1.group_mask = (_e1698 & ~((1u << bitcast<u32>((_e1680 & 31u)))));
+                            let _e1701 = local_1.group;
+                            phi_2322_ = (_e1701 + countOneBits(((_e1684 & ~((4294967295u << bitcast<u32>((((_e1680 - 24u) ^ _e428) & 31u))))) & 255u)));
                         } else {
-                            phi_2326_ = 4294967295u;
+                            phi_2322_ = 4294967295u;
                         }
-                        let _e1708 = phi_2326_;
-                        let _e2405 = local_5;
-                        phi_1155_ = _e2405;
-                        phi_1158_ = _e1708;
+                        let _e1704 = phi_2322_;
+                        let _e2401 = local_5;
+                        phi_1155_ = _e2401;
+                        phi_1158_ = _e1704;
                     } else {
                         phi_1155_ = lt_bvh_Hit();
                         phi_1158_ = u32();
                     }
-                    let _e1710 = phi_1155_;
-                    let _e1712 = phi_1158_;
+                    let _e1706 = phi_1155_;
+                    let _e1708 = phi_1158_;
                     continue;
                     continuing {
-                        phi_1154_ = _e1710;
-                        phi_1157_ = _e1712;
+                        phi_1154_ = _e1706;
+                        phi_1157_ = _e1708;
                         break if !(_e569);
                     }
                 }
-                let _e2409 = local_6;
-                phi_2327_ = _e2409;
+                let _e2405 = local_6;
+                phi_2323_ = _e2405;
             }
-            let _e1715 = phi_2327_;
-            phi_2328_ = _e1715;
-            phi_2329_ = _e223;
+            let _e1711 = phi_2323_;
+            phi_2324_ = _e1711;
+            phi_2325_ = _e223;
         } else {
-            phi_2328_ = lt_bvh_Hit();
-            phi_2329_ = true;
+            phi_2324_ = lt_bvh_Hit();
+            phi_2325_ = true;
         }
-        let _e1717 = phi_2328_;
-        let _e1719 = phi_2329_;
-        if _e1719 {
-            phi_2333_ = _e153;
+        let _e1713 = phi_2324_;
+        let _e1715 = phi_2325_;
+        if _e1715 {
+            phi_2329_ = _e153;
         } else {
-            phi_2333_ = _e1717;
+            phi_2329_ = _e1713;
         }
-        let _e1721 = phi_2333_;
-        if (_e1721.triangle != 4294967295u) {
-            let _e1727 = ((1f - _e1721.u) - _e1721.v);
-            if (_e1721.triangle < _e78) {
+        let _e1717 = phi_2329_;
+        if (_e1717.triangle != 4294967295u) {
+            let _e1723 = ((1f - _e1717.u) - _e1717.v);
+            if (_e1717.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1733 = triangles.member[(0u + _e1721.triangle)];
-            let _e1758 = (((_e1733.v0_.x * _e1727) + (_e1733.v1_.x * _e1721.u)) + (_e1733.v2_.x * _e1721.v));
-            let _e1759 = (((_e1733.v0_.y * _e1727) + (_e1733.v1_.y * _e1721.u)) + (_e1733.v2_.y * _e1721.v));
-            let _e1760 = (((_e1733.v0_.z * _e1727) + (_e1733.v1_.z * _e1721.u)) + (_e1733.v2_.z * _e1721.v));
-            let _e1763 = abs(_e1733.v0_.x);
-            let _e1765 = abs(_e1733.v0_.y);
-            let _e1767 = abs(_e1733.v0_.z);
-            let _e1769 = abs(_e1733.v1_.x);
-            let _e1771 = abs(_e1733.v1_.y);
-            let _e1773 = abs(_e1733.v1_.z);
+            let _e1729 = triangles.member[(0u + _e1717.triangle)];
+            let _e1754 = (((_e1729.v0_.x * _e1723) + (_e1729.v1_.x * _e1717.u)) + (_e1729.v2_.x * _e1717.v));
+            let _e1755 = (((_e1729.v0_.y * _e1723) + (_e1729.v1_.y * _e1717.u)) + (_e1729.v2_.y * _e1717.v));
+            let _e1756 = (((_e1729.v0_.z * _e1723) + (_e1729.v1_.z * _e1717.u)) + (_e1729.v2_.z * _e1717.v));
+            let _e1759 = abs(_e1729.v0_.x);
+            let _e1761 = abs(_e1729.v0_.y);
+            let _e1763 = abs(_e1729.v0_.z);
+            let _e1765 = abs(_e1729.v1_.x);
+            let _e1767 = abs(_e1729.v1_.y);
+            let _e1769 = abs(_e1729.v1_.z);
+            if (_e1759 > _e1765) {
+                phi_2394_ = _e1759;
+            } else {
+                phi_2394_ = _e1765;
+            }
+            let _e1772 = phi_2394_;
+            if (_e1761 > _e1767) {
+                phi_2399_ = _e1761;
+            } else {
+                phi_2399_ = _e1767;
+            }
+            let _e1775 = phi_2399_;
             if (_e1763 > _e1769) {
-                phi_2398_ = _e1763;
+                phi_2404_ = _e1763;
             } else {
-                phi_2398_ = _e1769;
+                phi_2404_ = _e1769;
             }
-            let _e1776 = phi_2398_;
-            if (_e1765 > _e1771) {
-                phi_2403_ = _e1765;
+            let _e1778 = phi_2404_;
+            let _e1780 = abs(_e1729.v2_.x);
+            let _e1782 = abs(_e1729.v2_.y);
+            let _e1784 = abs(_e1729.v2_.z);
+            if (_e1772 > _e1780) {
+                phi_2415_ = _e1772;
             } else {
-                phi_2403_ = _e1771;
+                phi_2415_ = _e1780;
             }
-            let _e1779 = phi_2403_;
-            if (_e1767 > _e1773) {
-                phi_2408_ = _e1767;
+            let _e1787 = phi_2415_;
+            if (_e1775 > _e1782) {
+                phi_2420_ = _e1775;
             } else {
-                phi_2408_ = _e1773;
+                phi_2420_ = _e1782;
             }
-            let _e1782 = phi_2408_;
-            let _e1784 = abs(_e1733.v2_.x);
-            let _e1786 = abs(_e1733.v2_.y);
-            let _e1788 = abs(_e1733.v2_.z);
-            if (_e1776 > _e1784) {
-                phi_2419_ = _e1776;
+            let _e1790 = phi_2420_;
+            if (_e1778 > _e1784) {
+                phi_2425_ = _e1778;
             } else {
-                phi_2419_ = _e1784;
+                phi_2425_ = _e1784;
             }
-            let _e1791 = phi_2419_;
-            if (_e1779 > _e1786) {
-                phi_2424_ = _e1779;
+            let _e1793 = phi_2425_;
+            let _e1796 = (_e1729.v1_.x - _e1729.v0_.x);
+            let _e1799 = (_e1729.v1_.y - _e1729.v0_.y);
+            let _e1802 = (_e1729.v1_.z - _e1729.v0_.z);
+            let _e1805 = (_e1729.v2_.x - _e1729.v0_.x);
+            let _e1808 = (_e1729.v2_.y - _e1729.v0_.y);
+            let _e1811 = (_e1729.v2_.z - _e1729.v0_.z);
+            let _e1815 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1799), abs(_e1802));
+            let _e1816 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1796), _e1815);
+            let _e1817 = (_e1796 / _e1816);
+            let _e1818 = (_e1799 / _e1816);
+            let _e1819 = (_e1802 / _e1816);
+            let _e1823 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1808), abs(_e1811));
+            let _e1824 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1805), _e1823);
+            let _e1825 = (_e1805 / _e1824);
+            let _e1826 = (_e1808 / _e1824);
+            let _e1827 = (_e1811 / _e1824);
+            let _e1830 = ((_e1818 * _e1827) - (_e1826 * _e1819));
+            let _e1833 = ((_e1819 * _e1825) - (_e1827 * _e1817));
+            let _e1836 = ((_e1817 * _e1826) - (_e1825 * _e1818));
+            let _e1838 = p.member.eye;
+            let _e1851 = (1f / sqrt((((_e1830 * _e1830) + (_e1833 * _e1833)) + (_e1836 * _e1836))));
+            let _e1852 = (_e1830 * _e1851);
+            let _e1853 = (_e1833 * _e1851);
+            let _e1854 = (_e1836 * _e1851);
+            if ((((_e1852 * (_e1838.x - _e1754)) + (_e1853 * (_e1838.y - _e1755))) + (_e1854 * (_e1838.z - _e1756))) < 0f) {
+                phi_2501_ = vec3<f32>(-(_e1852), -(_e1853), -(_e1854));
             } else {
-                phi_2424_ = _e1786;
+                phi_2501_ = vec3<f32>(_e1852, _e1853, _e1854);
             }
-            let _e1794 = phi_2424_;
-            if (_e1782 > _e1788) {
-                phi_2429_ = _e1782;
-            } else {
-                phi_2429_ = _e1788;
-            }
-            let _e1797 = phi_2429_;
-            let _e1800 = (_e1733.v1_.x - _e1733.v0_.x);
-            let _e1803 = (_e1733.v1_.y - _e1733.v0_.y);
-            let _e1806 = (_e1733.v1_.z - _e1733.v0_.z);
-            let _e1809 = (_e1733.v2_.x - _e1733.v0_.x);
-            let _e1812 = (_e1733.v2_.y - _e1733.v0_.y);
-            let _e1815 = (_e1733.v2_.z - _e1733.v0_.z);
-            let _e1819 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1803), abs(_e1806));
-            let _e1820 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1800), _e1819);
-            let _e1821 = (_e1800 / _e1820);
-            let _e1822 = (_e1803 / _e1820);
-            let _e1823 = (_e1806 / _e1820);
-            let _e1827 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1812), abs(_e1815));
-            let _e1828 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1809), _e1827);
-            let _e1829 = (_e1809 / _e1828);
-            let _e1830 = (_e1812 / _e1828);
-            let _e1831 = (_e1815 / _e1828);
-            let _e1834 = ((_e1822 * _e1831) - (_e1830 * _e1823));
-            let _e1837 = ((_e1823 * _e1829) - (_e1831 * _e1821));
-            let _e1840 = ((_e1821 * _e1830) - (_e1829 * _e1822));
-            let _e1842 = p.member.eye;
-            let _e1855 = (1f / sqrt((((_e1834 * _e1834) + (_e1837 * _e1837)) + (_e1840 * _e1840))));
-            let _e1856 = (_e1834 * _e1855);
-            let _e1857 = (_e1837 * _e1855);
-            let _e1858 = (_e1840 * _e1855);
-            if ((((_e1856 * (_e1842.x - _e1758)) + (_e1857 * (_e1842.y - _e1759))) + (_e1858 * (_e1842.z - _e1760))) < 0f) {
-                phi_2505_ = vec3<f32>(-(_e1856), -(_e1857), -(_e1858));
-            } else {
-                phi_2505_ = vec3<f32>(_e1856, _e1857, _e1858);
-            }
-            let _e1871 = phi_2505_;
-            if (_e1721.triangle < _e78) {
+            let _e1867 = phi_2501_;
+            if (_e1717.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1876 = triangles.member[(0u + _e1721.triangle)];
-            let _e1878 = (_e1876.i0_ & 2147483647u);
-            if (_e1878 < _e81) {
+            let _e1872 = triangles.member[(0u + _e1717.triangle)];
+            let _e1874 = (_e1872.i0_ & 2147483647u);
+            if (_e1874 < _e81) {
             } else {
                 return;
             }
-            let _e1884 = vertices.member[(0u + _e1878)];
-            if (_e1876.i1_ < _e81) {
+            let _e1880 = vertices.member[(0u + _e1874)];
+            if (_e1872.i1_ < _e81) {
             } else {
                 return;
             }
-            let _e1888 = vertices.member[(0u + _e1876.i1_)];
-            if (_e1876.i2_ < _e81) {
+            let _e1884 = vertices.member[(0u + _e1872.i1_)];
+            if (_e1872.i2_ < _e81) {
             } else {
                 return;
             }
-            let _e1892 = vertices.member[(0u + _e1876.i2_)];
-            let _e1893 = array<abi_Vertex, 3>(_e1884, _e1888, _e1892);
-            if (_e1893[0].material < _e84) {
+            let _e1888 = vertices.member[(0u + _e1872.i2_)];
+            let _e1889 = array<abi_Vertex, 3>(_e1880, _e1884, _e1888);
+            if (_e1889[0].material < _e84) {
             } else {
                 return;
             }
-            let _e1899 = materials.member[(0u + _e1893[0].material)];
-            let _e1916 = (1f / 255f);
-            let _e1935 = (1f / 255f);
-            let _e1957 = (1f / 255f);
-            let _e1970 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1727, _e1721.u, _e1721.v));
-            let _e1972 = ((_e1899.base_color.x * ((((f32((_e1893[0].color & 255u)) * _e1916) * _e1727) + ((f32((_e1893[1].color & 255u)) * _e1935) * _e1721.u)) + ((f32((_e1893[2].color & 255u)) * _e1957) * _e1721.v))) * _e1970.x);
-            let _e1974 = ((_e1899.base_color.y * ((((f32(((_e1893[0].color >> bitcast<u32>(8i)) & 255u)) * _e1916) * _e1727) + ((f32(((_e1893[1].color >> bitcast<u32>(8i)) & 255u)) * _e1935) * _e1721.u)) + ((f32(((_e1893[2].color >> bitcast<u32>(8i)) & 255u)) * _e1957) * _e1721.v))) * _e1970.y);
-            let _e1976 = ((_e1899.base_color.z * ((((f32(((_e1893[0].color >> bitcast<u32>(16i)) & 255u)) * _e1916) * _e1727) + ((f32(((_e1893[1].color >> bitcast<u32>(16i)) & 255u)) * _e1935) * _e1721.u)) + ((f32(((_e1893[2].color >> bitcast<u32>(16i)) & 255u)) * _e1957) * _e1721.v))) * _e1970.z);
-            let _e1977 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1794, _e1797);
-            let _e1978 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1791, _e1977);
-            if ((_e1899.flags & 2u) == 0u) {
-                phi_2626_ = 0u;
+            let _e1895 = materials.member[(0u + _e1889[0].material)];
+            let _e1912 = (1f / 255f);
+            let _e1931 = (1f / 255f);
+            let _e1953 = (1f / 255f);
+            let _e1966 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1723, _e1717.u, _e1717.v));
+            let _e1968 = ((_e1895.base_color.x * ((((f32((_e1889[0].color & 255u)) * _e1912) * _e1723) + ((f32((_e1889[1].color & 255u)) * _e1931) * _e1717.u)) + ((f32((_e1889[2].color & 255u)) * _e1953) * _e1717.v))) * _e1966.x);
+            let _e1970 = ((_e1895.base_color.y * ((((f32(((_e1889[0].color >> bitcast<u32>(8i)) & 255u)) * _e1912) * _e1723) + ((f32(((_e1889[1].color >> bitcast<u32>(8i)) & 255u)) * _e1931) * _e1717.u)) + ((f32(((_e1889[2].color >> bitcast<u32>(8i)) & 255u)) * _e1953) * _e1717.v))) * _e1966.y);
+            let _e1972 = ((_e1895.base_color.z * ((((f32(((_e1889[0].color >> bitcast<u32>(16i)) & 255u)) * _e1912) * _e1723) + ((f32(((_e1889[1].color >> bitcast<u32>(16i)) & 255u)) * _e1931) * _e1717.u)) + ((f32(((_e1889[2].color >> bitcast<u32>(16i)) & 255u)) * _e1953) * _e1717.v))) * _e1966.z);
+            let _e1973 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1790, _e1793);
+            let _e1974 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1787, _e1973);
+            if ((_e1895.flags & 2u) == 0u) {
+                phi_2622_ = 0u;
             } else {
-                phi_2626_ = 1u;
+                phi_2622_ = 1u;
             }
-            let _e1983 = phi_2626_;
-            if (_e1893[0].normal == 2147516416u) {
-                phi_2829_ = _e1871;
+            let _e1979 = phi_2622_;
+            if (_e1889[0].normal == 2147516416u) {
+                phi_2825_ = _e1867;
             } else {
-                let _e1996 = (f32((bitcast<i32>((_e1893[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2002 = (f32((bitcast<i32>(_e1893[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2006 = ((1f - abs(_e1996)) - abs(_e2002));
-                if (_e2006 < 0f) {
-                    phi_2653_ = -(_e2006);
-                } else {
-                    phi_2653_ = 0f;
-                }
-                let _e2010 = phi_2653_;
-                if (_e1996 < 0f) {
-                    phi_2660_ = (_e1996 + _e2010);
-                } else {
-                    phi_2660_ = (_e1996 - _e2010);
-                }
-                let _e2015 = phi_2660_;
+                let _e1992 = (f32((bitcast<i32>((_e1889[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1998 = (f32((bitcast<i32>(_e1889[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2002 = ((1f - abs(_e1992)) - abs(_e1998));
                 if (_e2002 < 0f) {
-                    phi_2667_ = (_e2002 + _e2010);
+                    phi_2649_ = -(_e2002);
                 } else {
-                    phi_2667_ = (_e2002 - _e2010);
+                    phi_2649_ = 0f;
                 }
-                let _e2020 = phi_2667_;
-                let _e2027 = (1f / sqrt((((_e2015 * _e2015) + (_e2020 * _e2020)) + (_e2006 * _e2006))));
-                let _e2043 = (f32((bitcast<i32>((_e1893[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2049 = (f32((bitcast<i32>(_e1893[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2053 = ((1f - abs(_e2043)) - abs(_e2049));
-                if (_e2053 < 0f) {
-                    phi_2702_ = -(_e2053);
+                let _e2006 = phi_2649_;
+                if (_e1992 < 0f) {
+                    phi_2656_ = (_e1992 + _e2006);
                 } else {
-                    phi_2702_ = 0f;
+                    phi_2656_ = (_e1992 - _e2006);
                 }
-                let _e2057 = phi_2702_;
-                if (_e2043 < 0f) {
-                    phi_2709_ = (_e2043 + _e2057);
+                let _e2011 = phi_2656_;
+                if (_e1998 < 0f) {
+                    phi_2663_ = (_e1998 + _e2006);
                 } else {
-                    phi_2709_ = (_e2043 - _e2057);
+                    phi_2663_ = (_e1998 - _e2006);
                 }
-                let _e2062 = phi_2709_;
+                let _e2016 = phi_2663_;
+                let _e2023 = (1f / sqrt((((_e2011 * _e2011) + (_e2016 * _e2016)) + (_e2002 * _e2002))));
+                let _e2039 = (f32((bitcast<i32>((_e1889[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2045 = (f32((bitcast<i32>(_e1889[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2049 = ((1f - abs(_e2039)) - abs(_e2045));
                 if (_e2049 < 0f) {
-                    phi_2716_ = (_e2049 + _e2057);
+                    phi_2698_ = -(_e2049);
                 } else {
-                    phi_2716_ = (_e2049 - _e2057);
+                    phi_2698_ = 0f;
                 }
-                let _e2067 = phi_2716_;
-                let _e2074 = (1f / sqrt((((_e2062 * _e2062) + (_e2067 * _e2067)) + (_e2053 * _e2053))));
-                let _e2093 = (f32((bitcast<i32>((_e1893[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2099 = (f32((bitcast<i32>(_e1893[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2103 = ((1f - abs(_e2093)) - abs(_e2099));
-                if (_e2103 < 0f) {
-                    phi_2754_ = -(_e2103);
+                let _e2053 = phi_2698_;
+                if (_e2039 < 0f) {
+                    phi_2705_ = (_e2039 + _e2053);
                 } else {
-                    phi_2754_ = 0f;
+                    phi_2705_ = (_e2039 - _e2053);
                 }
-                let _e2107 = phi_2754_;
-                if (_e2093 < 0f) {
-                    phi_2761_ = (_e2093 + _e2107);
+                let _e2058 = phi_2705_;
+                if (_e2045 < 0f) {
+                    phi_2712_ = (_e2045 + _e2053);
                 } else {
-                    phi_2761_ = (_e2093 - _e2107);
+                    phi_2712_ = (_e2045 - _e2053);
                 }
-                let _e2112 = phi_2761_;
+                let _e2063 = phi_2712_;
+                let _e2070 = (1f / sqrt((((_e2058 * _e2058) + (_e2063 * _e2063)) + (_e2049 * _e2049))));
+                let _e2089 = (f32((bitcast<i32>((_e1889[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2095 = (f32((bitcast<i32>(_e1889[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2099 = ((1f - abs(_e2089)) - abs(_e2095));
                 if (_e2099 < 0f) {
-                    phi_2768_ = (_e2099 + _e2107);
+                    phi_2750_ = -(_e2099);
                 } else {
-                    phi_2768_ = (_e2099 - _e2107);
+                    phi_2750_ = 0f;
                 }
-                let _e2117 = phi_2768_;
-                let _e2124 = (1f / sqrt((((_e2112 * _e2112) + (_e2117 * _e2117)) + (_e2103 * _e2103))));
-                let _e2135 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2015 * _e2027) * _e1727) + ((_e2062 * _e2074) * _e1721.u)) + ((_e2112 * _e2124) * _e1721.v)), ((((_e2020 * _e2027) * _e1727) + ((_e2067 * _e2074) * _e1721.u)) + ((_e2117 * _e2124) * _e1721.v)), ((((_e2006 * _e2027) * _e1727) + ((_e2053 * _e2074) * _e1721.u)) + ((_e2103 * _e2124) * _e1721.v))));
-                let _e2147 = sqrt((((_e2135.x * _e2135.x) + (_e2135.y * _e2135.y)) + (_e2135.z * _e2135.z)));
-                if (_e2147 > 0f) {
-                    let _e2150 = (_e2135.x / _e2147);
-                    let _e2152 = (_e2135.y / _e2147);
-                    let _e2154 = (_e2135.z / _e2147);
-                    if ((((_e2150 * _e1871.x) + (_e2152 * _e1871.y)) + (_e2154 * _e1871.z)) < 0f) {
-                        phi_2827_ = vec3<f32>(-(_e2150), -(_e2152), -(_e2154));
+                let _e2103 = phi_2750_;
+                if (_e2089 < 0f) {
+                    phi_2757_ = (_e2089 + _e2103);
+                } else {
+                    phi_2757_ = (_e2089 - _e2103);
+                }
+                let _e2108 = phi_2757_;
+                if (_e2095 < 0f) {
+                    phi_2764_ = (_e2095 + _e2103);
+                } else {
+                    phi_2764_ = (_e2095 - _e2103);
+                }
+                let _e2113 = phi_2764_;
+                let _e2120 = (1f / sqrt((((_e2108 * _e2108) + (_e2113 * _e2113)) + (_e2099 * _e2099))));
+                let _e2131 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2011 * _e2023) * _e1723) + ((_e2058 * _e2070) * _e1717.u)) + ((_e2108 * _e2120) * _e1717.v)), ((((_e2016 * _e2023) * _e1723) + ((_e2063 * _e2070) * _e1717.u)) + ((_e2113 * _e2120) * _e1717.v)), ((((_e2002 * _e2023) * _e1723) + ((_e2049 * _e2070) * _e1717.u)) + ((_e2099 * _e2120) * _e1717.v))));
+                let _e2143 = sqrt((((_e2131.x * _e2131.x) + (_e2131.y * _e2131.y)) + (_e2131.z * _e2131.z)));
+                if (_e2143 > 0f) {
+                    let _e2146 = (_e2131.x / _e2143);
+                    let _e2148 = (_e2131.y / _e2143);
+                    let _e2150 = (_e2131.z / _e2143);
+                    if ((((_e2146 * _e1867.x) + (_e2148 * _e1867.y)) + (_e2150 * _e1867.z)) < 0f) {
+                        phi_2823_ = vec3<f32>(-(_e2146), -(_e2148), -(_e2150));
                     } else {
-                        phi_2827_ = (_e2135 / vec3(_e2147));
+                        phi_2823_ = (_e2131 / vec3(_e2143));
                     }
-                    let _e2171 = phi_2827_;
-                    phi_2828_ = _e2171;
+                    let _e2167 = phi_2823_;
+                    phi_2824_ = _e2167;
                 } else {
-                    phi_2828_ = _e1871;
+                    phi_2824_ = _e1867;
                 }
-                let _e2173 = phi_2828_;
-                phi_2829_ = _e2173;
+                let _e2169 = phi_2824_;
+                phi_2825_ = _e2169;
             }
-            let _e2175 = phi_2829_;
+            let _e2171 = phi_2825_;
+            if (_e1968 > 0f) {
+                if (_e1968 < 1f) {
+                    phi_2834_ = _e1968;
+                } else {
+                    phi_2834_ = 1f;
+                }
+                let _e2175 = phi_2834_;
+                phi_2835_ = _e2175;
+            } else {
+                phi_2835_ = 0f;
+            }
+            let _e2177 = phi_2835_;
+            if (_e1970 > 0f) {
+                if (_e1970 < 1f) {
+                    phi_2845_ = _e1970;
+                } else {
+                    phi_2845_ = 1f;
+                }
+                let _e2182 = phi_2845_;
+                phi_2846_ = _e2182;
+            } else {
+                phi_2846_ = 0f;
+            }
+            let _e2184 = phi_2846_;
             if (_e1972 > 0f) {
                 if (_e1972 < 1f) {
-                    phi_2838_ = _e1972;
+                    phi_2856_ = _e1972;
                 } else {
-                    phi_2838_ = 1f;
+                    phi_2856_ = 1f;
                 }
-                let _e2179 = phi_2838_;
-                phi_2839_ = _e2179;
+                let _e2189 = phi_2856_;
+                phi_2857_ = _e2189;
             } else {
-                phi_2839_ = 0f;
+                phi_2857_ = 0f;
             }
-            let _e2181 = phi_2839_;
-            if (_e1974 > 0f) {
-                if (_e1974 < 1f) {
-                    phi_2849_ = _e1974;
-                } else {
-                    phi_2849_ = 1f;
-                }
-                let _e2186 = phi_2849_;
-                phi_2850_ = _e2186;
-            } else {
-                phi_2850_ = 0f;
-            }
-            let _e2188 = phi_2850_;
-            if (_e1976 > 0f) {
-                if (_e1976 < 1f) {
-                    phi_2860_ = _e1976;
-                } else {
-                    phi_2860_ = 1f;
-                }
-                let _e2193 = phi_2860_;
-                phi_2861_ = _e2193;
-            } else {
-                phi_2861_ = 0f;
-            }
-            let _e2195 = phi_2861_;
-            let _e2198 = ((sqrt(_e2181) * 255f) + 0.5f);
-            let _e2207 = ((sqrt(_e2188) * 255f) + 0.5f);
-            let _e2219 = ((sqrt(_e2195) * 255f) + 0.5f);
-            phi_2896_ = abi_Sample(vec3<f32>(_e1758, _e1759, _e1760), _e1978, _e1871, _e1983, _e2175, ((select(select(u32(_e2198), 0u, (_e2198 < bitcast<f32>(0u))), 4294967295u, (_e2198 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2207), 0u, (_e2207 < bitcast<f32>(0u))), 4294967295u, (_e2207 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2219), 0u, (_e2219 < bitcast<f32>(0u))), 4294967295u, (_e2219 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2191 = phi_2857_;
+            let _e2194 = ((sqrt(_e2177) * 255f) + 0.5f);
+            let _e2203 = ((sqrt(_e2184) * 255f) + 0.5f);
+            let _e2215 = ((sqrt(_e2191) * 255f) + 0.5f);
+            phi_2892_ = abi_Sample(vec3<f32>(_e1754, _e1755, _e1756), _e1974, _e1867, _e1979, _e2171, ((select(select(u32(_e2194), 0u, (_e2194 < bitcast<f32>(0u))), 4294967295u, (_e2194 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2203), 0u, (_e2203 < bitcast<f32>(0u))), 4294967295u, (_e2203 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2215), 0u, (_e2215 < bitcast<f32>(0u))), 4294967295u, (_e2215 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2896_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2892_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2233 = phi_2896_;
+        let _e2229 = phi_2892_;
         if (_e96.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.first_primitive)] = _e2233;
+        samples.member[(0u + _e96.first_primitive)] = _e2229;
     }
     return;
 }

@@ -845,69 +845,69 @@ fn function_() {
     var phi_2980_: bool;
     var phi_2984_: bool;
     var phi_2985_: bool;
-    var phi_3192_: f32;
-    var phi_3195_: bool;
+    var phi_3188_: f32;
+    var phi_3191_: bool;
+    var phi_3192_: bool;
     var phi_3196_: bool;
-    var phi_3200_: bool;
-    var phi_3208_: lt_bvh_Hit;
-    var phi_3209_: lt_bvh_Hit;
-    var phi_3210_: lt_bvh_Hit;
-    var phi_3211_: lt_bvh_Hit;
+    var phi_3204_: lt_bvh_Hit;
+    var phi_3205_: lt_bvh_Hit;
+    var phi_3206_: lt_bvh_Hit;
+    var phi_3207_: lt_bvh_Hit;
     var phi_2464_: lt_bvh_Hit;
     var phi_2467_: u32;
-    var phi_3212_: bool;
-    var phi_3251_: bool;
-    var phi_3252_: bool;
-    var phi_3283_: u32;
+    var phi_3208_: bool;
+    var phi_3247_: bool;
+    var phi_3248_: bool;
+    var phi_3279_: u32;
     var phi_2131_: lt_bvh_Hit;
     var phi_2134_: u32;
-    var phi_3284_: lt_bvh_Hit;
-    var phi_3285_: lt_bvh_Hit;
-    var phi_3286_: bool;
-    var phi_3290_: lt_bvh_Hit;
-    var phi_3291_: lt_bvh_Hit;
-    var phi_3292_: lt_bvh_Hit;
-    var phi_3293_: lt_bvh_Hit;
+    var phi_3280_: lt_bvh_Hit;
+    var phi_3281_: lt_bvh_Hit;
+    var phi_3282_: bool;
+    var phi_3286_: lt_bvh_Hit;
+    var phi_3287_: lt_bvh_Hit;
+    var phi_3288_: lt_bvh_Hit;
+    var phi_3289_: lt_bvh_Hit;
     var phi_1505_: u32;
     var phi_1508_: lt_bvh_Hit;
-    var phi_3294_: bool;
-    var phi_3333_: bool;
-    var phi_3334_: bool;
-    var phi_3365_: u32;
+    var phi_3290_: bool;
+    var phi_3329_: bool;
+    var phi_3330_: bool;
+    var phi_3361_: u32;
     var phi_1168_: u32;
     var phi_1171_: lt_bvh_Hit;
-    var phi_3366_: lt_bvh_Hit;
-    var phi_3367_: lt_bvh_Hit;
-    var phi_3368_: bool;
-    var phi_3372_: lt_bvh_Hit;
-    var phi_3559_: f32;
-    var phi_3564_: f32;
-    var phi_3569_: f32;
-    var phi_3577_: f32;
-    var phi_3582_: f32;
-    var phi_3587_: f32;
-    var phi_3651_: vec3<f32>;
-    var phi_3894_: vec3<f32>;
-    var phi_3909_: u32;
-    var phi_3936_: f32;
-    var phi_3943_: f32;
-    var phi_3950_: f32;
-    var phi_3985_: f32;
-    var phi_3992_: f32;
-    var phi_3999_: f32;
-    var phi_4037_: f32;
-    var phi_4044_: f32;
-    var phi_4051_: f32;
-    var phi_4137_: vec3<f32>;
-    var phi_4138_: vec3<f32>;
-    var phi_4139_: vec3<f32>;
-    var phi_4148_: f32;
-    var phi_4149_: f32;
-    var phi_4159_: f32;
-    var phi_4160_: f32;
-    var phi_4170_: f32;
-    var phi_4171_: f32;
-    var phi_4206_: abi_Sample;
+    var phi_3362_: lt_bvh_Hit;
+    var phi_3363_: lt_bvh_Hit;
+    var phi_3364_: bool;
+    var phi_3368_: lt_bvh_Hit;
+    var phi_3555_: f32;
+    var phi_3560_: f32;
+    var phi_3565_: f32;
+    var phi_3573_: f32;
+    var phi_3578_: f32;
+    var phi_3583_: f32;
+    var phi_3647_: vec3<f32>;
+    var phi_3890_: vec3<f32>;
+    var phi_3905_: u32;
+    var phi_3932_: f32;
+    var phi_3939_: f32;
+    var phi_3946_: f32;
+    var phi_3981_: f32;
+    var phi_3988_: f32;
+    var phi_3995_: f32;
+    var phi_4033_: f32;
+    var phi_4040_: f32;
+    var phi_4047_: f32;
+    var phi_4133_: vec3<f32>;
+    var phi_4134_: vec3<f32>;
+    var phi_4135_: vec3<f32>;
+    var phi_4144_: f32;
+    var phi_4145_: f32;
+    var phi_4155_: f32;
+    var phi_4156_: f32;
+    var phi_4166_: f32;
+    var phi_4167_: f32;
+    var phi_4202_: abi_Sample;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
@@ -1045,7 +1045,7 @@ fn function_() {
         if _e233 {
             let _e234 = (_e111 >= _e78);
             if _e234 {
-                phi_3366_ = lt_bvh_Hit();
+                phi_3362_ = lt_bvh_Hit();
             } else {
                 if (_e111 < _e78) {
                 } else {
@@ -1398,7 +1398,7 @@ fn function_() {
                             if (_e978 == 0u) {
                                 phi_1505_ = u32();
                                 phi_1508_ = lt_bvh_Hit();
-                                phi_3294_ = false;
+                                phi_3290_ = false;
                             } else {
                                 let _e984 = nodes.member[(0u + _e535)].links[1u];
                                 let _e988 = (_e984 + select(firstTrailingBit(_e978), 32u, (_e978 == 0u)));
@@ -1580,7 +1580,7 @@ fn function_() {
                                             if _e1210 {
                                                 let _e1211 = (_e1147 >= _e78);
                                                 if _e1211 {
-                                                    phi_3284_ = lt_bvh_Hit();
+                                                    phi_3280_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1147 < _e78) {
                                                     } else {
@@ -1975,7 +1975,7 @@ fn function_() {
                                                                 if (_e1964 == 0u) {
                                                                     phi_2464_ = lt_bvh_Hit();
                                                                     phi_2467_ = u32();
-                                                                    phi_3212_ = false;
+                                                                    phi_3208_ = false;
                                                                 } else {
                                                                     let _e1968 = nodes.member[(0u + _e1525)].links[1u];
                                                                     let _e1973 = ((_e1149 + _e1968) + select(firstTrailingBit(_e1964), 32u, (_e1964 == 0u)));
@@ -2458,7 +2458,7 @@ fn function_() {
                                                                             if _e2368 {
                                                                                 let _e2370 = triangles.member[(0u + _e1973)].i0_;
                                                                                 if ((_e2370 & 2147483648u) == 0u) {
-                                                                                    phi_3200_ = true;
+                                                                                    phi_3196_ = true;
                                                                                 } else {
                                                                                     if (_e1973 < _e81) {
                                                                                     } else {
@@ -2492,607 +2492,607 @@ fn function_() {
                                                                                     if ((_e2403.flags & 0u) == 0u) {
                                                                                         let _e2408 = ((1f - _e2336.u) - _e2336.v);
                                                                                         if (_e2403.cutoff <= 0f) {
-                                                                                            phi_3195_ = true;
+                                                                                            phi_3191_ = true;
                                                                                         } else {
-                                                                                            let _e2439 = (_e2403.base_color.w * ((((f32((_e2397[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2408) + ((f32((_e2397[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2336.u)) + ((f32((_e2397[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2336.v)));
+                                                                                            let _e2435 = (_e2403.base_color.w * ((((f32((_e2397[0].color >> bitcast<u32>(24i))) * _e2408) + (f32((_e2397[1].color >> bitcast<u32>(24i))) * _e2336.u)) + (f32((_e2397[2].color >> bitcast<u32>(24i))) * _e2336.v)) * (1f / 255f)));
                                                                                             if (_e2403.alpha_size == 0u) {
-                                                                                                phi_3192_ = _e2439;
+                                                                                                phi_3188_ = _e2435;
                                                                                             } else {
                                                                                                 local_1.offset = _e2403.alpha_offset;
                                                                                                 local_1.size = _e2403.alpha_size;
                                                                                                 local_1.flags = _e2403.flags;
-                                                                                                let _e2470 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2397[0].u * _e2408) + (_e2397[1].u * _e2336.u)) + (_e2397[2].u * _e2336.v)), (((_e2397[0].v * _e2408) + (_e2397[1].v * _e2336.u)) + (_e2397[2].v * _e2336.v)));
-                                                                                                let _e2474 = (_e2470.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2474 < _e96) {
+                                                                                                let _e2466 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2397[0].u * _e2408) + (_e2397[1].u * _e2336.u)) + (_e2397[2].u * _e2336.v)), (((_e2397[0].v * _e2408) + (_e2397[1].v * _e2336.u)) + (_e2397[2].v * _e2336.v)));
+                                                                                                let _e2470 = (_e2466.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2470 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2478 = alpha_texels.member[(0u + _e2474)];
-                                                                                                let _e2494 = (_e2470.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2494 < _e96) {
+                                                                                                let _e2474 = alpha_texels.member[(0u + _e2470)];
+                                                                                                let _e2490 = (_e2466.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2490 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2498 = alpha_texels.member[(0u + _e2494)];
-                                                                                                let _e2515 = (_e2470.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2515 < _e96) {
+                                                                                                let _e2494 = alpha_texels.member[(0u + _e2490)];
+                                                                                                let _e2511 = (_e2466.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2511 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2519 = alpha_texels.member[(0u + _e2515)];
-                                                                                                let _e2536 = (_e2470.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2536 < _e96) {
+                                                                                                let _e2515 = alpha_texels.member[(0u + _e2511)];
+                                                                                                let _e2532 = (_e2466.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2532 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2540 = alpha_texels.member[(0u + _e2536)];
-                                                                                                phi_3192_ = (_e2439 * (((((f32(((_e2478 >> bitcast<u32>((((_e2470.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2470.weights.x) + ((f32(((_e2498 >> bitcast<u32>((((_e2470.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2470.weights.y)) + ((f32(((_e2519 >> bitcast<u32>((((_e2470.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2470.weights.z)) + ((f32(((_e2540 >> bitcast<u32>((((_e2470.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2470.weights.w)));
+                                                                                                let _e2536 = alpha_texels.member[(0u + _e2532)];
+                                                                                                phi_3188_ = (_e2435 * (((((f32(((_e2474 >> bitcast<u32>((((_e2466.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.x) + ((f32(((_e2494 >> bitcast<u32>((((_e2466.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.y)) + ((f32(((_e2515 >> bitcast<u32>((((_e2466.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.z)) + ((f32(((_e2536 >> bitcast<u32>((((_e2466.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.w)));
                                                                                             }
-                                                                                            let _e2556 = phi_3192_;
-                                                                                            phi_3195_ = (_e2556 >= _e2403.cutoff);
+                                                                                            let _e2552 = phi_3188_;
+                                                                                            phi_3191_ = (_e2552 >= _e2403.cutoff);
                                                                                         }
-                                                                                        let _e2560 = phi_3195_;
-                                                                                        phi_3196_ = _e2560;
+                                                                                        let _e2556 = phi_3191_;
+                                                                                        phi_3192_ = _e2556;
                                                                                     } else {
-                                                                                        phi_3196_ = false;
+                                                                                        phi_3192_ = false;
                                                                                     }
-                                                                                    let _e2562 = phi_3196_;
-                                                                                    if _e2562 {
+                                                                                    let _e2558 = phi_3192_;
+                                                                                    if _e2558 {
                                                                                     }
-                                                                                    phi_3200_ = _e2562;
+                                                                                    phi_3196_ = _e2558;
                                                                                 }
-                                                                                let _e2564 = phi_3200_;
-                                                                                if _e2564 {
-                                                                                    phi_3208_ = lt_bvh_Hit(_e2336.t, _e2336.u, _e2336.v, _e1973, _e988);
+                                                                                let _e2560 = phi_3196_;
+                                                                                if _e2560 {
+                                                                                    phi_3204_ = lt_bvh_Hit(_e2336.t, _e2336.u, _e2336.v, _e1973, _e988);
                                                                                 } else {
-                                                                                    phi_3208_ = _e1962;
+                                                                                    phi_3204_ = _e1962;
                                                                                 }
-                                                                                let _e2570 = phi_3208_;
-                                                                                phi_3209_ = _e2570;
+                                                                                let _e2566 = phi_3204_;
+                                                                                phi_3205_ = _e2566;
                                                                             } else {
-                                                                                phi_3209_ = _e1962;
+                                                                                phi_3205_ = _e1962;
                                                                             }
-                                                                            let _e2572 = phi_3209_;
-                                                                            phi_3210_ = _e2572;
+                                                                            let _e2568 = phi_3205_;
+                                                                            phi_3206_ = _e2568;
                                                                         } else {
-                                                                            phi_3210_ = _e1962;
+                                                                            phi_3206_ = _e1962;
                                                                         }
-                                                                        let _e2574 = phi_3210_;
-                                                                        phi_3211_ = _e2574;
+                                                                        let _e2570 = phi_3206_;
+                                                                        phi_3207_ = _e2570;
                                                                     } else {
-                                                                        phi_3211_ = _e1962;
+                                                                        phi_3207_ = _e1962;
                                                                     }
-                                                                    let _e2576 = phi_3211_;
-                                                                    phi_2464_ = _e2576;
+                                                                    let _e2572 = phi_3207_;
+                                                                    phi_2464_ = _e2572;
                                                                     phi_2467_ = (_e1964 & (_e1964 - 1u));
-                                                                    phi_3212_ = true;
+                                                                    phi_3208_ = true;
                                                                 }
-                                                                let _e2578 = phi_2464_;
-                                                                let _e2580 = phi_2467_;
-                                                                let _e2582 = phi_3212_;
+                                                                let _e2574 = phi_2464_;
+                                                                let _e2576 = phi_2467_;
+                                                                let _e2578 = phi_3208_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2463_ = _e2578;
-                                                                    phi_2466_ = _e2580;
-                                                                    break if !(_e2582);
+                                                                    phi_2463_ = _e2574;
+                                                                    phi_2466_ = _e2576;
+                                                                    break if !(_e2578);
                                                                 }
                                                             }
-                                                            let _e2585 = local_2.group_mask;
-                                                            if ((_e2585 & 4278190080u) == 0u) {
-                                                                let _e2589 = local_2.len;
-                                                                if (_e2589 == 0u) {
-                                                                    phi_3251_ = false;
+                                                            let _e2581 = local_2.group_mask;
+                                                            if ((_e2581 & 4278190080u) == 0u) {
+                                                                let _e2585 = local_2.len;
+                                                                if (_e2585 == 0u) {
+                                                                    phi_3247_ = false;
                                                                 } else {
-                                                                    let _e2593 = local_2.len;
-                                                                    local_2.len = (_e2593 - 1u);
-                                                                    let _e2596 = local_2.len;
-                                                                    if (_e2596 < 32u) {
+                                                                    let _e2589 = local_2.len;
+                                                                    local_2.len = (_e2589 - 1u);
+                                                                    let _e2592 = local_2.len;
+                                                                    if (_e2592 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2601 = local_2.first[(0u + _e2596)];
-                                                                    local_2.group = _e2601;
-                                                                    let _e2604 = local_2.len;
-                                                                    if (_e2604 < 32u) {
+                                                                    let _e2597 = local_2.first[(0u + _e2592)];
+                                                                    local_2.group = _e2597;
+                                                                    let _e2600 = local_2.len;
+                                                                    if (_e2600 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2609 = local_2.mask[(0u + _e2604)];
-                                                                    local_2.group_mask = _e2609;
-                                                                    phi_3251_ = true;
+                                                                    let _e2605 = local_2.mask[(0u + _e2600)];
+                                                                    local_2.group_mask = _e2605;
+                                                                    phi_3247_ = true;
                                                                 }
-                                                                let _e2612 = phi_3251_;
-                                                                phi_3252_ = _e2612;
+                                                                let _e2608 = phi_3247_;
+                                                                phi_3248_ = _e2608;
                                                             } else {
-                                                                phi_3252_ = true;
+                                                                phi_3248_ = true;
                                                             }
-                                                            let _e2614 = phi_3252_;
-                                                            if _e2614 {
-                                                                let _e2616 = local_2.group_mask;
-                                                                let _e2622 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2616)), 32u, (_e2616 == 0u)));
-                                                                let _e2626 = local_2.group_mask;
-                                                                let _e2640 = local_2.group_mask;
-                                                                local_2.group_mask = (_e2640 & ~((1u << bitcast<u32>((_e2622 & 31u)))));
-                                                                let _e2643 = local_2.group;
-                                                                phi_3283_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1385) & 31u))))) & 255u)));
+                                                            let _e2610 = phi_3248_;
+                                                            if _e2610 {
+                                                                let _e2612 = local_2.group_mask;
+                                                                let _e2618 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2612)), 32u, (_e2612 == 0u)));
+                                                                let _e2622 = local_2.group_mask;
+                                                                let _e2636 = local_2.group_mask;
+                                                                local_2.group_mask = (_e2636 & ~((1u << bitcast<u32>((_e2618 & 31u)))));
+                                                                let _e2639 = local_2.group;
+                                                                phi_3279_ = (_e2639 + countOneBits(((_e2622 & ~((4294967295u << bitcast<u32>((((_e2618 - 24u) ^ _e1385) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3283_ = 4294967295u;
+                                                                phi_3279_ = 4294967295u;
                                                             }
-                                                            let _e2646 = phi_3283_;
-                                                            let _e3773 = local_10;
-                                                            phi_2131_ = _e3773;
-                                                            phi_2134_ = _e2646;
+                                                            let _e2642 = phi_3279_;
+                                                            let _e3769 = local_10;
+                                                            phi_2131_ = _e3769;
+                                                            phi_2134_ = _e2642;
                                                         } else {
                                                             phi_2131_ = lt_bvh_Hit();
                                                             phi_2134_ = u32();
                                                         }
-                                                        let _e2648 = phi_2131_;
-                                                        let _e2650 = phi_2134_;
+                                                        let _e2644 = phi_2131_;
+                                                        let _e2646 = phi_2134_;
                                                         continue;
                                                         continuing {
-                                                            phi_2130_ = _e2648;
-                                                            phi_2133_ = _e2650;
+                                                            phi_2130_ = _e2644;
+                                                            phi_2133_ = _e2646;
                                                             break if !(_e1526);
                                                         }
                                                     }
-                                                    let _e3777 = local_11;
-                                                    phi_3284_ = _e3777;
+                                                    let _e3773 = local_11;
+                                                    phi_3280_ = _e3773;
                                                 }
-                                                let _e2653 = phi_3284_;
-                                                phi_3285_ = _e2653;
-                                                phi_3286_ = _e1211;
+                                                let _e2649 = phi_3280_;
+                                                phi_3281_ = _e2649;
+                                                phi_3282_ = _e1211;
                                             } else {
-                                                phi_3285_ = lt_bvh_Hit();
-                                                phi_3286_ = true;
+                                                phi_3281_ = lt_bvh_Hit();
+                                                phi_3282_ = true;
                                             }
-                                            let _e2655 = phi_3285_;
-                                            let _e2657 = phi_3286_;
-                                            if _e2657 {
-                                                phi_3290_ = _e980;
+                                            let _e2651 = phi_3281_;
+                                            let _e2653 = phi_3282_;
+                                            if _e2653 {
+                                                phi_3286_ = _e980;
                                             } else {
-                                                phi_3290_ = _e2655;
+                                                phi_3286_ = _e2651;
                                             }
-                                            let _e2659 = phi_3290_;
-                                            phi_3291_ = _e2659;
+                                            let _e2655 = phi_3286_;
+                                            phi_3287_ = _e2655;
                                         } else {
-                                            phi_3291_ = _e980;
+                                            phi_3287_ = _e980;
                                         }
-                                        let _e2661 = phi_3291_;
-                                        phi_3292_ = _e2661;
+                                        let _e2657 = phi_3287_;
+                                        phi_3288_ = _e2657;
                                     } else {
-                                        phi_3292_ = _e980;
+                                        phi_3288_ = _e980;
                                     }
-                                    let _e2663 = phi_3292_;
-                                    phi_3293_ = _e2663;
+                                    let _e2659 = phi_3288_;
+                                    phi_3289_ = _e2659;
                                 } else {
-                                    phi_3293_ = _e980;
+                                    phi_3289_ = _e980;
                                 }
-                                let _e2665 = phi_3293_;
+                                let _e2661 = phi_3289_;
                                 phi_1505_ = (_e978 & (_e978 - 1u));
-                                phi_1508_ = _e2665;
-                                phi_3294_ = true;
+                                phi_1508_ = _e2661;
+                                phi_3290_ = true;
                             }
-                            let _e2667 = phi_1505_;
-                            let _e2669 = phi_1508_;
-                            let _e2671 = phi_3294_;
+                            let _e2663 = phi_1505_;
+                            let _e2665 = phi_1508_;
+                            let _e2667 = phi_3290_;
                             continue;
                             continuing {
-                                phi_1504_ = _e2667;
-                                phi_1507_ = _e2669;
-                                break if !(_e2671);
+                                phi_1504_ = _e2663;
+                                phi_1507_ = _e2665;
+                                break if !(_e2667);
                             }
                         }
-                        let _e2674 = local_3.group_mask;
-                        if ((_e2674 & 4278190080u) == 0u) {
-                            let _e2678 = local_3.len;
-                            if (_e2678 == 0u) {
-                                phi_3333_ = false;
+                        let _e2670 = local_3.group_mask;
+                        if ((_e2670 & 4278190080u) == 0u) {
+                            let _e2674 = local_3.len;
+                            if (_e2674 == 0u) {
+                                phi_3329_ = false;
                             } else {
-                                let _e2682 = local_3.len;
-                                local_3.len = (_e2682 - 1u);
-                                let _e2685 = local_3.len;
-                                if (_e2685 < 32u) {
+                                let _e2678 = local_3.len;
+                                local_3.len = (_e2678 - 1u);
+                                let _e2681 = local_3.len;
+                                if (_e2681 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2690 = local_3.first[(0u + _e2685)];
-                                local_3.group = _e2690;
-                                let _e2693 = local_3.len;
-                                if (_e2693 < 32u) {
+                                let _e2686 = local_3.first[(0u + _e2681)];
+                                local_3.group = _e2686;
+                                let _e2689 = local_3.len;
+                                if (_e2689 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2698 = local_3.mask[(0u + _e2693)];
-                                local_3.group_mask = _e2698;
-                                phi_3333_ = true;
+                                let _e2694 = local_3.mask[(0u + _e2689)];
+                                local_3.group_mask = _e2694;
+                                phi_3329_ = true;
                             }
-                            let _e2701 = phi_3333_;
-                            phi_3334_ = _e2701;
+                            let _e2697 = phi_3329_;
+                            phi_3330_ = _e2697;
                         } else {
-                            phi_3334_ = true;
+                            phi_3330_ = true;
                         }
-                        let _e2703 = phi_3334_;
-                        if _e2703 {
-                            let _e2705 = local_3.group_mask;
-                            let _e2711 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2705)), 32u, (_e2705 == 0u)));
-                            let _e2715 = local_3.group_mask;
-                            let _e2729 = local_3.group_mask;
-                            local_3.group_mask = (_e2729 & ~((1u << bitcast<u32>((_e2711 & 31u)))));
-                            let _e2732 = local_3.group;
-                            phi_3365_ = (_e2732 + countOneBits(((_e2715 & ~((4294967295u << bitcast<u32>((((_e2711 - 24u) ^ _e397) & 31u))))) & 255u)));
+                        let _e2699 = phi_3330_;
+                        if _e2699 {
+                            let _e2701 = local_3.group_mask;
+                            let _e2707 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2701)), 32u, (_e2701 == 0u)));
+                            let _e2711 = local_3.group_mask;
+                            let _e2725 = local_3.group_mask;
+                            local_3.group_mask = (_e2725 & ~((1u << bitcast<u32>((_e2707 & 31u)))));
+                            let _e2728 = local_3.group;
+                            phi_3361_ = (_e2728 + countOneBits(((_e2711 & ~((4294967295u << bitcast<u32>((((_e2707 - 24u) ^ _e397) & 31u))))) & 255u)));
                         } else {
-                            phi_3365_ = 4294967295u;
+                            phi_3361_ = 4294967295u;
                         }
-                        let _e2735 = phi_3365_;
-                        phi_1168_ = _e2735;
-                        let _e3793 = local_12;
-                        phi_1171_ = _e3793;
+                        let _e2731 = phi_3361_;
+                        phi_1168_ = _e2731;
+                        let _e3789 = local_12;
+                        phi_1171_ = _e3789;
                     } else {
                         phi_1168_ = u32();
                         phi_1171_ = lt_bvh_Hit();
                     }
-                    let _e2737 = phi_1168_;
-                    let _e2739 = phi_1171_;
+                    let _e2733 = phi_1168_;
+                    let _e2735 = phi_1171_;
                     continue;
                     continuing {
-                        phi_1167_ = _e2737;
-                        phi_1170_ = _e2739;
+                        phi_1167_ = _e2733;
+                        phi_1170_ = _e2735;
                         break if !(_e538);
                     }
                 }
-                let _e3796 = local_13;
-                phi_3366_ = _e3796;
+                let _e3792 = local_13;
+                phi_3362_ = _e3792;
             }
-            let _e2742 = phi_3366_;
-            phi_3367_ = _e2742;
-            phi_3368_ = _e234;
+            let _e2738 = phi_3362_;
+            phi_3363_ = _e2738;
+            phi_3364_ = _e234;
         } else {
-            phi_3367_ = lt_bvh_Hit();
-            phi_3368_ = true;
+            phi_3363_ = lt_bvh_Hit();
+            phi_3364_ = true;
         }
-        let _e2744 = phi_3367_;
-        let _e2746 = phi_3368_;
-        if _e2746 {
-            phi_3372_ = _e164;
+        let _e2740 = phi_3363_;
+        let _e2742 = phi_3364_;
+        if _e2742 {
+            phi_3368_ = _e164;
         } else {
-            phi_3372_ = _e2744;
+            phi_3368_ = _e2740;
         }
-        let _e2748 = phi_3372_;
-        if (_e2748.triangle != 4294967295u) {
-            let _e2754 = ((1f - _e2748.u) - _e2748.v);
-            if (_e2748.triangle < _e81) {
+        let _e2744 = phi_3368_;
+        if (_e2744.triangle != 4294967295u) {
+            let _e2750 = ((1f - _e2744.u) - _e2744.v);
+            if (_e2744.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2759 = triangles.member[(0u + _e2748.triangle)];
-            if (_e2748.instance < _e93) {
+            let _e2755 = triangles.member[(0u + _e2744.triangle)];
+            if (_e2744.instance < _e93) {
             } else {
                 return;
             }
-            let _e2770 = instances.member[(0u + _e2748.instance)].object_to_world[0u];
-            let _e2781 = ((((_e2770.x * _e2759.v0_.x) + (_e2770.y * _e2759.v0_.y)) + (_e2770.z * _e2759.v0_.z)) + (_e2770.w * 1f));
-            let _e2783 = instances.member[(0u + _e2748.instance)].object_to_world[1u];
-            let _e2794 = ((((_e2783.x * _e2759.v0_.x) + (_e2783.y * _e2759.v0_.y)) + (_e2783.z * _e2759.v0_.z)) + (_e2783.w * 1f));
-            let _e2796 = instances.member[(0u + _e2748.instance)].object_to_world[2u];
-            let _e2807 = ((((_e2796.x * _e2759.v0_.x) + (_e2796.y * _e2759.v0_.y)) + (_e2796.z * _e2759.v0_.z)) + (_e2796.w * 1f));
-            let _e2814 = instances.member[(0u + _e2748.instance)].object_to_world[0u];
-            let _e2825 = ((((_e2814.x * _e2759.v1_.x) + (_e2814.y * _e2759.v1_.y)) + (_e2814.z * _e2759.v1_.z)) + (_e2814.w * 1f));
-            let _e2827 = instances.member[(0u + _e2748.instance)].object_to_world[1u];
-            let _e2838 = ((((_e2827.x * _e2759.v1_.x) + (_e2827.y * _e2759.v1_.y)) + (_e2827.z * _e2759.v1_.z)) + (_e2827.w * 1f));
-            let _e2840 = instances.member[(0u + _e2748.instance)].object_to_world[2u];
-            let _e2851 = ((((_e2840.x * _e2759.v1_.x) + (_e2840.y * _e2759.v1_.y)) + (_e2840.z * _e2759.v1_.z)) + (_e2840.w * 1f));
-            let _e2858 = instances.member[(0u + _e2748.instance)].object_to_world[0u];
-            let _e2869 = ((((_e2858.x * _e2759.v2_.x) + (_e2858.y * _e2759.v2_.y)) + (_e2858.z * _e2759.v2_.z)) + (_e2858.w * 1f));
-            let _e2871 = instances.member[(0u + _e2748.instance)].object_to_world[1u];
-            let _e2882 = ((((_e2871.x * _e2759.v2_.x) + (_e2871.y * _e2759.v2_.y)) + (_e2871.z * _e2759.v2_.z)) + (_e2871.w * 1f));
-            let _e2884 = instances.member[(0u + _e2748.instance)].object_to_world[2u];
-            let _e2895 = ((((_e2884.x * _e2759.v2_.x) + (_e2884.y * _e2759.v2_.y)) + (_e2884.z * _e2759.v2_.z)) + (_e2884.w * 1f));
-            let _e2908 = (((_e2781 * _e2754) + (_e2825 * _e2748.u)) + (_e2869 * _e2748.v));
-            let _e2909 = (((_e2794 * _e2754) + (_e2838 * _e2748.u)) + (_e2882 * _e2748.v));
-            let _e2910 = (((_e2807 * _e2754) + (_e2851 * _e2748.u)) + (_e2895 * _e2748.v));
-            let _e2912 = abs(_e2781);
-            let _e2913 = abs(_e2794);
-            let _e2914 = abs(_e2807);
-            let _e2915 = abs(_e2825);
-            let _e2916 = abs(_e2838);
-            let _e2917 = abs(_e2851);
-            if (_e2912 > _e2915) {
-                phi_3559_ = _e2912;
+            let _e2766 = instances.member[(0u + _e2744.instance)].object_to_world[0u];
+            let _e2777 = ((((_e2766.x * _e2755.v0_.x) + (_e2766.y * _e2755.v0_.y)) + (_e2766.z * _e2755.v0_.z)) + (_e2766.w * 1f));
+            let _e2779 = instances.member[(0u + _e2744.instance)].object_to_world[1u];
+            let _e2790 = ((((_e2779.x * _e2755.v0_.x) + (_e2779.y * _e2755.v0_.y)) + (_e2779.z * _e2755.v0_.z)) + (_e2779.w * 1f));
+            let _e2792 = instances.member[(0u + _e2744.instance)].object_to_world[2u];
+            let _e2803 = ((((_e2792.x * _e2755.v0_.x) + (_e2792.y * _e2755.v0_.y)) + (_e2792.z * _e2755.v0_.z)) + (_e2792.w * 1f));
+            let _e2810 = instances.member[(0u + _e2744.instance)].object_to_world[0u];
+            let _e2821 = ((((_e2810.x * _e2755.v1_.x) + (_e2810.y * _e2755.v1_.y)) + (_e2810.z * _e2755.v1_.z)) + (_e2810.w * 1f));
+            let _e2823 = instances.member[(0u + _e2744.instance)].object_to_world[1u];
+            let _e2834 = ((((_e2823.x * _e2755.v1_.x) + (_e2823.y * _e2755.v1_.y)) + (_e2823.z * _e2755.v1_.z)) + (_e2823.w * 1f));
+            let _e2836 = instances.member[(0u + _e2744.instance)].object_to_world[2u];
+            let _e2847 = ((((_e2836.x * _e2755.v1_.x) + (_e2836.y * _e2755.v1_.y)) + (_e2836.z * _e2755.v1_.z)) + (_e2836.w * 1f));
+            let _e2854 = instances.member[(0u + _e2744.instance)].object_to_world[0u];
+            let _e2865 = ((((_e2854.x * _e2755.v2_.x) + (_e2854.y * _e2755.v2_.y)) + (_e2854.z * _e2755.v2_.z)) + (_e2854.w * 1f));
+            let _e2867 = instances.member[(0u + _e2744.instance)].object_to_world[1u];
+            let _e2878 = ((((_e2867.x * _e2755.v2_.x) + (_e2867.y * _e2755.v2_.y)) + (_e2867.z * _e2755.v2_.z)) + (_e2867.w * 1f));
+            let _e2880 = instances.member[(0u + _e2744.instance)].object_to_world[2u];
+            let _e2891 = ((((_e2880.x * _e2755.v2_.x) + (_e2880.y * _e2755.v2_.y)) + (_e2880.z * _e2755.v2_.z)) + (_e2880.w * 1f));
+            let _e2904 = (((_e2777 * _e2750) + (_e2821 * _e2744.u)) + (_e2865 * _e2744.v));
+            let _e2905 = (((_e2790 * _e2750) + (_e2834 * _e2744.u)) + (_e2878 * _e2744.v));
+            let _e2906 = (((_e2803 * _e2750) + (_e2847 * _e2744.u)) + (_e2891 * _e2744.v));
+            let _e2908 = abs(_e2777);
+            let _e2909 = abs(_e2790);
+            let _e2910 = abs(_e2803);
+            let _e2911 = abs(_e2821);
+            let _e2912 = abs(_e2834);
+            let _e2913 = abs(_e2847);
+            if (_e2908 > _e2911) {
+                phi_3555_ = _e2908;
             } else {
-                phi_3559_ = _e2915;
+                phi_3555_ = _e2911;
             }
-            let _e2920 = phi_3559_;
-            if (_e2913 > _e2916) {
-                phi_3564_ = _e2913;
+            let _e2916 = phi_3555_;
+            if (_e2909 > _e2912) {
+                phi_3560_ = _e2909;
             } else {
-                phi_3564_ = _e2916;
+                phi_3560_ = _e2912;
             }
-            let _e2923 = phi_3564_;
-            if (_e2914 > _e2917) {
-                phi_3569_ = _e2914;
+            let _e2919 = phi_3560_;
+            if (_e2910 > _e2913) {
+                phi_3565_ = _e2910;
             } else {
-                phi_3569_ = _e2917;
+                phi_3565_ = _e2913;
             }
-            let _e2926 = phi_3569_;
-            let _e2927 = abs(_e2869);
-            let _e2928 = abs(_e2882);
-            let _e2929 = abs(_e2895);
-            if (_e2920 > _e2927) {
-                phi_3577_ = _e2920;
+            let _e2922 = phi_3565_;
+            let _e2923 = abs(_e2865);
+            let _e2924 = abs(_e2878);
+            let _e2925 = abs(_e2891);
+            if (_e2916 > _e2923) {
+                phi_3573_ = _e2916;
             } else {
-                phi_3577_ = _e2927;
+                phi_3573_ = _e2923;
             }
-            let _e2932 = phi_3577_;
-            if (_e2923 > _e2928) {
-                phi_3582_ = _e2923;
+            let _e2928 = phi_3573_;
+            if (_e2919 > _e2924) {
+                phi_3578_ = _e2919;
             } else {
-                phi_3582_ = _e2928;
+                phi_3578_ = _e2924;
             }
-            let _e2935 = phi_3582_;
-            if (_e2926 > _e2929) {
-                phi_3587_ = _e2926;
+            let _e2931 = phi_3578_;
+            if (_e2922 > _e2925) {
+                phi_3583_ = _e2922;
             } else {
-                phi_3587_ = _e2929;
+                phi_3583_ = _e2925;
             }
-            let _e2938 = phi_3587_;
-            let _e2939 = (_e2825 - _e2781);
-            let _e2940 = (_e2838 - _e2794);
-            let _e2941 = (_e2851 - _e2807);
-            let _e2942 = (_e2869 - _e2781);
-            let _e2943 = (_e2882 - _e2794);
-            let _e2944 = (_e2895 - _e2807);
-            let _e2948 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2940), abs(_e2941));
-            let _e2949 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2939), _e2948);
-            let _e2950 = (_e2939 / _e2949);
-            let _e2951 = (_e2940 / _e2949);
-            let _e2952 = (_e2941 / _e2949);
-            let _e2956 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2943), abs(_e2944));
-            let _e2957 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2942), _e2956);
-            let _e2958 = (_e2942 / _e2957);
-            let _e2959 = (_e2943 / _e2957);
-            let _e2960 = (_e2944 / _e2957);
-            let _e2963 = ((_e2951 * _e2960) - (_e2959 * _e2952));
-            let _e2966 = ((_e2952 * _e2958) - (_e2960 * _e2950));
-            let _e2969 = ((_e2950 * _e2959) - (_e2958 * _e2951));
-            let _e2971 = p.member.eye;
-            let _e2984 = (1f / sqrt((((_e2963 * _e2963) + (_e2966 * _e2966)) + (_e2969 * _e2969))));
-            let _e2985 = (_e2963 * _e2984);
-            let _e2986 = (_e2966 * _e2984);
-            let _e2987 = (_e2969 * _e2984);
-            if ((((_e2985 * (_e2971.x - _e2908)) + (_e2986 * (_e2971.y - _e2909))) + (_e2987 * (_e2971.z - _e2910))) < 0f) {
-                phi_3651_ = vec3<f32>(-(_e2985), -(_e2986), -(_e2987));
+            let _e2934 = phi_3583_;
+            let _e2935 = (_e2821 - _e2777);
+            let _e2936 = (_e2834 - _e2790);
+            let _e2937 = (_e2847 - _e2803);
+            let _e2938 = (_e2865 - _e2777);
+            let _e2939 = (_e2878 - _e2790);
+            let _e2940 = (_e2891 - _e2803);
+            let _e2944 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2936), abs(_e2937));
+            let _e2945 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2935), _e2944);
+            let _e2946 = (_e2935 / _e2945);
+            let _e2947 = (_e2936 / _e2945);
+            let _e2948 = (_e2937 / _e2945);
+            let _e2952 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2939), abs(_e2940));
+            let _e2953 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2938), _e2952);
+            let _e2954 = (_e2938 / _e2953);
+            let _e2955 = (_e2939 / _e2953);
+            let _e2956 = (_e2940 / _e2953);
+            let _e2959 = ((_e2947 * _e2956) - (_e2955 * _e2948));
+            let _e2962 = ((_e2948 * _e2954) - (_e2956 * _e2946));
+            let _e2965 = ((_e2946 * _e2955) - (_e2954 * _e2947));
+            let _e2967 = p.member.eye;
+            let _e2980 = (1f / sqrt((((_e2959 * _e2959) + (_e2962 * _e2962)) + (_e2965 * _e2965))));
+            let _e2981 = (_e2959 * _e2980);
+            let _e2982 = (_e2962 * _e2980);
+            let _e2983 = (_e2965 * _e2980);
+            if ((((_e2981 * (_e2967.x - _e2904)) + (_e2982 * (_e2967.y - _e2905))) + (_e2983 * (_e2967.z - _e2906))) < 0f) {
+                phi_3647_ = vec3<f32>(-(_e2981), -(_e2982), -(_e2983));
             } else {
-                phi_3651_ = vec3<f32>(_e2985, _e2986, _e2987);
+                phi_3647_ = vec3<f32>(_e2981, _e2982, _e2983);
             }
-            let _e3000 = phi_3651_;
-            if (_e2748.triangle < _e81) {
+            let _e2996 = phi_3647_;
+            if (_e2744.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3005 = triangles.member[(0u + _e2748.triangle)];
-            let _e3007 = (_e3005.i0_ & 2147483647u);
-            if (_e3007 < _e84) {
+            let _e3001 = triangles.member[(0u + _e2744.triangle)];
+            let _e3003 = (_e3001.i0_ & 2147483647u);
+            if (_e3003 < _e84) {
             } else {
                 return;
             }
-            let _e3013 = vertices.member[(0u + _e3007)];
-            if (_e3005.i1_ < _e84) {
+            let _e3009 = vertices.member[(0u + _e3003)];
+            if (_e3001.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e3017 = vertices.member[(0u + _e3005.i1_)];
-            if (_e3005.i2_ < _e84) {
+            let _e3013 = vertices.member[(0u + _e3001.i1_)];
+            if (_e3001.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e3021 = vertices.member[(0u + _e3005.i2_)];
-            let _e3022 = array<abi_Vertex, 3>(_e3013, _e3017, _e3021);
-            if (_e3022[0].material < _e87) {
+            let _e3017 = vertices.member[(0u + _e3001.i2_)];
+            let _e3018 = array<abi_Vertex, 3>(_e3009, _e3013, _e3017);
+            if (_e3018[0].material < _e87) {
             } else {
                 return;
             }
-            let _e3028 = materials.member[(0u + _e3022[0].material)];
-            let _e3045 = (1f / 255f);
-            let _e3064 = (1f / 255f);
-            let _e3086 = (1f / 255f);
-            if (_e3028.color_size == 0u) {
-                phi_3894_ = vec3<f32>(1f, 1f, 1f);
+            let _e3024 = materials.member[(0u + _e3018[0].material)];
+            let _e3041 = (1f / 255f);
+            let _e3060 = (1f / 255f);
+            let _e3082 = (1f / 255f);
+            if (_e3024.color_size == 0u) {
+                phi_3890_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e3028.color_offset;
-                local.size = _e3028.color_size;
-                local.flags = _e3028.flags;
-                let _e3129 = _lt_shaders_texture_TextureView_quad((&local), (((_e3022[0].u * _e2754) + (_e3022[1].u * _e2748.u)) + (_e3022[2].u * _e2748.v)), (((_e3022[0].v * _e2754) + (_e3022[1].v * _e2748.u)) + (_e3022[2].v * _e2748.v)));
-                if (_e3129.indices[0] < _e99) {
+                local.offset = _e3024.color_offset;
+                local.size = _e3024.color_size;
+                local.flags = _e3024.flags;
+                let _e3125 = _lt_shaders_texture_TextureView_quad((&local), (((_e3018[0].u * _e2750) + (_e3018[1].u * _e2744.u)) + (_e3018[2].u * _e2744.v)), (((_e3018[0].v * _e2750) + (_e3018[1].v * _e2744.u)) + (_e3018[2].v * _e2744.v)));
+                if (_e3125.indices[0] < _e99) {
                 } else {
                     return;
                 }
-                let _e3135 = color_texels.member[(0u + _e3129.indices[0])];
-                let _e3146 = (1f / 255f);
-                if (_e3129.indices[1] < _e99) {
+                let _e3131 = color_texels.member[(0u + _e3125.indices[0])];
+                let _e3142 = (1f / 255f);
+                if (_e3125.indices[1] < _e99) {
                 } else {
                     return;
                 }
-                let _e3160 = color_texels.member[(0u + _e3129.indices[1])];
-                let _e3171 = (1f / 255f);
-                if (_e3129.indices[2] < _e99) {
+                let _e3156 = color_texels.member[(0u + _e3125.indices[1])];
+                let _e3167 = (1f / 255f);
+                if (_e3125.indices[2] < _e99) {
                 } else {
                     return;
                 }
-                let _e3188 = color_texels.member[(0u + _e3129.indices[2])];
-                let _e3199 = (1f / 255f);
-                if (_e3129.indices[3] < _e99) {
+                let _e3184 = color_texels.member[(0u + _e3125.indices[2])];
+                let _e3195 = (1f / 255f);
+                if (_e3125.indices[3] < _e99) {
                 } else {
                     return;
                 }
-                let _e3216 = color_texels.member[(0u + _e3129.indices[3])];
-                let _e3227 = (1f / 255f);
-                let _e3236 = (((((f32((_e3135 & 255u)) * _e3146) * _e3129.weights.x) + ((f32((_e3160 & 255u)) * _e3171) * _e3129.weights.y)) + ((f32((_e3188 & 255u)) * _e3199) * _e3129.weights.z)) + ((f32((_e3216 & 255u)) * _e3227) * _e3129.weights.w));
-                let _e3237 = (((((f32(((_e3135 >> bitcast<u32>(8i)) & 255u)) * _e3146) * _e3129.weights.x) + ((f32(((_e3160 >> bitcast<u32>(8i)) & 255u)) * _e3171) * _e3129.weights.y)) + ((f32(((_e3188 >> bitcast<u32>(8i)) & 255u)) * _e3199) * _e3129.weights.z)) + ((f32(((_e3216 >> bitcast<u32>(8i)) & 255u)) * _e3227) * _e3129.weights.w));
-                let _e3238 = (((((f32(((_e3135 >> bitcast<u32>(16i)) & 255u)) * _e3146) * _e3129.weights.x) + ((f32(((_e3160 >> bitcast<u32>(16i)) & 255u)) * _e3171) * _e3129.weights.y)) + ((f32(((_e3188 >> bitcast<u32>(16i)) & 255u)) * _e3199) * _e3129.weights.z)) + ((f32(((_e3216 >> bitcast<u32>(16i)) & 255u)) * _e3227) * _e3129.weights.w));
-                phi_3894_ = vec3<f32>((_e3236 * _e3236), (_e3237 * _e3237), (_e3238 * _e3238));
+                let _e3212 = color_texels.member[(0u + _e3125.indices[3])];
+                let _e3223 = (1f / 255f);
+                let _e3232 = (((((f32((_e3131 & 255u)) * _e3142) * _e3125.weights.x) + ((f32((_e3156 & 255u)) * _e3167) * _e3125.weights.y)) + ((f32((_e3184 & 255u)) * _e3195) * _e3125.weights.z)) + ((f32((_e3212 & 255u)) * _e3223) * _e3125.weights.w));
+                let _e3233 = (((((f32(((_e3131 >> bitcast<u32>(8i)) & 255u)) * _e3142) * _e3125.weights.x) + ((f32(((_e3156 >> bitcast<u32>(8i)) & 255u)) * _e3167) * _e3125.weights.y)) + ((f32(((_e3184 >> bitcast<u32>(8i)) & 255u)) * _e3195) * _e3125.weights.z)) + ((f32(((_e3212 >> bitcast<u32>(8i)) & 255u)) * _e3223) * _e3125.weights.w));
+                let _e3234 = (((((f32(((_e3131 >> bitcast<u32>(16i)) & 255u)) * _e3142) * _e3125.weights.x) + ((f32(((_e3156 >> bitcast<u32>(16i)) & 255u)) * _e3167) * _e3125.weights.y)) + ((f32(((_e3184 >> bitcast<u32>(16i)) & 255u)) * _e3195) * _e3125.weights.z)) + ((f32(((_e3212 >> bitcast<u32>(16i)) & 255u)) * _e3223) * _e3125.weights.w));
+                phi_3890_ = vec3<f32>((_e3232 * _e3232), (_e3233 * _e3233), (_e3234 * _e3234));
             }
-            let _e3244 = phi_3894_;
-            let _e3246 = ((_e3028.base_color.x * ((((f32((_e3022[0].color & 255u)) * _e3045) * _e2754) + ((f32((_e3022[1].color & 255u)) * _e3064) * _e2748.u)) + ((f32((_e3022[2].color & 255u)) * _e3086) * _e2748.v))) * _e3244.x);
-            let _e3248 = ((_e3028.base_color.y * ((((f32(((_e3022[0].color >> bitcast<u32>(8i)) & 255u)) * _e3045) * _e2754) + ((f32(((_e3022[1].color >> bitcast<u32>(8i)) & 255u)) * _e3064) * _e2748.u)) + ((f32(((_e3022[2].color >> bitcast<u32>(8i)) & 255u)) * _e3086) * _e2748.v))) * _e3244.y);
-            let _e3250 = ((_e3028.base_color.z * ((((f32(((_e3022[0].color >> bitcast<u32>(16i)) & 255u)) * _e3045) * _e2754) + ((f32(((_e3022[1].color >> bitcast<u32>(16i)) & 255u)) * _e3064) * _e2748.u)) + ((f32(((_e3022[2].color >> bitcast<u32>(16i)) & 255u)) * _e3086) * _e2748.v))) * _e3244.z);
-            let _e3251 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2935, _e2938);
-            let _e3252 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2932, _e3251);
-            if ((_e3028.flags & 2u) == 0u) {
-                phi_3909_ = 0u;
+            let _e3240 = phi_3890_;
+            let _e3242 = ((_e3024.base_color.x * ((((f32((_e3018[0].color & 255u)) * _e3041) * _e2750) + ((f32((_e3018[1].color & 255u)) * _e3060) * _e2744.u)) + ((f32((_e3018[2].color & 255u)) * _e3082) * _e2744.v))) * _e3240.x);
+            let _e3244 = ((_e3024.base_color.y * ((((f32(((_e3018[0].color >> bitcast<u32>(8i)) & 255u)) * _e3041) * _e2750) + ((f32(((_e3018[1].color >> bitcast<u32>(8i)) & 255u)) * _e3060) * _e2744.u)) + ((f32(((_e3018[2].color >> bitcast<u32>(8i)) & 255u)) * _e3082) * _e2744.v))) * _e3240.y);
+            let _e3246 = ((_e3024.base_color.z * ((((f32(((_e3018[0].color >> bitcast<u32>(16i)) & 255u)) * _e3041) * _e2750) + ((f32(((_e3018[1].color >> bitcast<u32>(16i)) & 255u)) * _e3060) * _e2744.u)) + ((f32(((_e3018[2].color >> bitcast<u32>(16i)) & 255u)) * _e3082) * _e2744.v))) * _e3240.z);
+            let _e3247 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2931, _e2934);
+            let _e3248 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2928, _e3247);
+            if ((_e3024.flags & 2u) == 0u) {
+                phi_3905_ = 0u;
             } else {
-                phi_3909_ = 1u;
+                phi_3905_ = 1u;
             }
-            let _e3257 = phi_3909_;
-            if (_e3022[0].normal == 2147516416u) {
-                phi_4139_ = _e3000;
+            let _e3253 = phi_3905_;
+            if (_e3018[0].normal == 2147516416u) {
+                phi_4135_ = _e2996;
             } else {
-                let _e3270 = (f32((bitcast<i32>((_e3022[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3276 = (f32((bitcast<i32>(_e3022[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3280 = ((1f - abs(_e3270)) - abs(_e3276));
-                if (_e3280 < 0f) {
-                    phi_3936_ = -(_e3280);
-                } else {
-                    phi_3936_ = 0f;
-                }
-                let _e3284 = phi_3936_;
-                if (_e3270 < 0f) {
-                    phi_3943_ = (_e3270 + _e3284);
-                } else {
-                    phi_3943_ = (_e3270 - _e3284);
-                }
-                let _e3289 = phi_3943_;
+                let _e3266 = (f32((bitcast<i32>((_e3018[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3272 = (f32((bitcast<i32>(_e3018[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3276 = ((1f - abs(_e3266)) - abs(_e3272));
                 if (_e3276 < 0f) {
-                    phi_3950_ = (_e3276 + _e3284);
+                    phi_3932_ = -(_e3276);
                 } else {
-                    phi_3950_ = (_e3276 - _e3284);
+                    phi_3932_ = 0f;
                 }
-                let _e3294 = phi_3950_;
-                let _e3301 = (1f / sqrt((((_e3289 * _e3289) + (_e3294 * _e3294)) + (_e3280 * _e3280))));
-                let _e3317 = (f32((bitcast<i32>((_e3022[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3323 = (f32((bitcast<i32>(_e3022[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3327 = ((1f - abs(_e3317)) - abs(_e3323));
-                if (_e3327 < 0f) {
-                    phi_3985_ = -(_e3327);
+                let _e3280 = phi_3932_;
+                if (_e3266 < 0f) {
+                    phi_3939_ = (_e3266 + _e3280);
                 } else {
-                    phi_3985_ = 0f;
+                    phi_3939_ = (_e3266 - _e3280);
                 }
-                let _e3331 = phi_3985_;
-                if (_e3317 < 0f) {
-                    phi_3992_ = (_e3317 + _e3331);
+                let _e3285 = phi_3939_;
+                if (_e3272 < 0f) {
+                    phi_3946_ = (_e3272 + _e3280);
                 } else {
-                    phi_3992_ = (_e3317 - _e3331);
+                    phi_3946_ = (_e3272 - _e3280);
                 }
-                let _e3336 = phi_3992_;
+                let _e3290 = phi_3946_;
+                let _e3297 = (1f / sqrt((((_e3285 * _e3285) + (_e3290 * _e3290)) + (_e3276 * _e3276))));
+                let _e3313 = (f32((bitcast<i32>((_e3018[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3319 = (f32((bitcast<i32>(_e3018[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3323 = ((1f - abs(_e3313)) - abs(_e3319));
                 if (_e3323 < 0f) {
-                    phi_3999_ = (_e3323 + _e3331);
+                    phi_3981_ = -(_e3323);
                 } else {
-                    phi_3999_ = (_e3323 - _e3331);
+                    phi_3981_ = 0f;
                 }
-                let _e3341 = phi_3999_;
-                let _e3348 = (1f / sqrt((((_e3336 * _e3336) + (_e3341 * _e3341)) + (_e3327 * _e3327))));
-                let _e3367 = (f32((bitcast<i32>((_e3022[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3373 = (f32((bitcast<i32>(_e3022[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3377 = ((1f - abs(_e3367)) - abs(_e3373));
-                if (_e3377 < 0f) {
-                    phi_4037_ = -(_e3377);
+                let _e3327 = phi_3981_;
+                if (_e3313 < 0f) {
+                    phi_3988_ = (_e3313 + _e3327);
                 } else {
-                    phi_4037_ = 0f;
+                    phi_3988_ = (_e3313 - _e3327);
                 }
-                let _e3381 = phi_4037_;
-                if (_e3367 < 0f) {
-                    phi_4044_ = (_e3367 + _e3381);
+                let _e3332 = phi_3988_;
+                if (_e3319 < 0f) {
+                    phi_3995_ = (_e3319 + _e3327);
                 } else {
-                    phi_4044_ = (_e3367 - _e3381);
+                    phi_3995_ = (_e3319 - _e3327);
                 }
-                let _e3386 = phi_4044_;
+                let _e3337 = phi_3995_;
+                let _e3344 = (1f / sqrt((((_e3332 * _e3332) + (_e3337 * _e3337)) + (_e3323 * _e3323))));
+                let _e3363 = (f32((bitcast<i32>((_e3018[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3369 = (f32((bitcast<i32>(_e3018[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3373 = ((1f - abs(_e3363)) - abs(_e3369));
                 if (_e3373 < 0f) {
-                    phi_4051_ = (_e3373 + _e3381);
+                    phi_4033_ = -(_e3373);
                 } else {
-                    phi_4051_ = (_e3373 - _e3381);
+                    phi_4033_ = 0f;
                 }
-                let _e3391 = phi_4051_;
-                let _e3398 = (1f / sqrt((((_e3386 * _e3386) + (_e3391 * _e3391)) + (_e3377 * _e3377))));
-                let _e3405 = ((((_e3289 * _e3301) * _e2754) + ((_e3336 * _e3348) * _e2748.u)) + ((_e3386 * _e3398) * _e2748.v));
-                let _e3406 = ((((_e3294 * _e3301) * _e2754) + ((_e3341 * _e3348) * _e2748.u)) + ((_e3391 * _e3398) * _e2748.v));
-                let _e3407 = ((((_e3280 * _e3301) * _e2754) + ((_e3327 * _e3348) * _e2748.u)) + ((_e3377 * _e3398) * _e2748.v));
-                if (_e2748.instance < _e93) {
+                let _e3377 = phi_4033_;
+                if (_e3363 < 0f) {
+                    phi_4040_ = (_e3363 + _e3377);
+                } else {
+                    phi_4040_ = (_e3363 - _e3377);
+                }
+                let _e3382 = phi_4040_;
+                if (_e3369 < 0f) {
+                    phi_4047_ = (_e3369 + _e3377);
+                } else {
+                    phi_4047_ = (_e3369 - _e3377);
+                }
+                let _e3387 = phi_4047_;
+                let _e3394 = (1f / sqrt((((_e3382 * _e3382) + (_e3387 * _e3387)) + (_e3373 * _e3373))));
+                let _e3401 = ((((_e3285 * _e3297) * _e2750) + ((_e3332 * _e3344) * _e2744.u)) + ((_e3382 * _e3394) * _e2744.v));
+                let _e3402 = ((((_e3290 * _e3297) * _e2750) + ((_e3337 * _e3344) * _e2744.u)) + ((_e3387 * _e3394) * _e2744.v));
+                let _e3403 = ((((_e3276 * _e3297) * _e2750) + ((_e3323 * _e3344) * _e2744.u)) + ((_e3373 * _e3394) * _e2744.v));
+                if (_e2744.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3414 = instances.member[(0u + _e2748.instance)].world_to_object[0u];
-                let _e3423 = instances.member[(0u + _e2748.instance)].world_to_object[1u];
-                let _e3435 = instances.member[(0u + _e2748.instance)].world_to_object[2u];
-                let _e3442 = (((_e3414.x * _e3405) + (_e3423.x * _e3406)) + (_e3435.x * _e3407));
-                let _e3443 = (((_e3414.y * _e3405) + (_e3423.y * _e3406)) + (_e3435.y * _e3407));
-                let _e3444 = (((_e3414.z * _e3405) + (_e3423.z * _e3406)) + (_e3435.z * _e3407));
-                let _e3450 = sqrt((((_e3442 * _e3442) + (_e3443 * _e3443)) + (_e3444 * _e3444)));
-                if (_e3450 > 0f) {
-                    let _e3452 = (_e3442 / _e3450);
-                    let _e3453 = (_e3443 / _e3450);
-                    let _e3454 = (_e3444 / _e3450);
-                    if ((((_e3452 * _e3000.x) + (_e3453 * _e3000.y)) + (_e3454 * _e3000.z)) < 0f) {
-                        phi_4137_ = vec3<f32>(-(_e3452), -(_e3453), -(_e3454));
+                let _e3410 = instances.member[(0u + _e2744.instance)].world_to_object[0u];
+                let _e3419 = instances.member[(0u + _e2744.instance)].world_to_object[1u];
+                let _e3431 = instances.member[(0u + _e2744.instance)].world_to_object[2u];
+                let _e3438 = (((_e3410.x * _e3401) + (_e3419.x * _e3402)) + (_e3431.x * _e3403));
+                let _e3439 = (((_e3410.y * _e3401) + (_e3419.y * _e3402)) + (_e3431.y * _e3403));
+                let _e3440 = (((_e3410.z * _e3401) + (_e3419.z * _e3402)) + (_e3431.z * _e3403));
+                let _e3446 = sqrt((((_e3438 * _e3438) + (_e3439 * _e3439)) + (_e3440 * _e3440)));
+                if (_e3446 > 0f) {
+                    let _e3448 = (_e3438 / _e3446);
+                    let _e3449 = (_e3439 / _e3446);
+                    let _e3450 = (_e3440 / _e3446);
+                    if ((((_e3448 * _e2996.x) + (_e3449 * _e2996.y)) + (_e3450 * _e2996.z)) < 0f) {
+                        phi_4133_ = vec3<f32>(-(_e3448), -(_e3449), -(_e3450));
                     } else {
-                        phi_4137_ = vec3<f32>(_e3452, _e3453, _e3454);
+                        phi_4133_ = vec3<f32>(_e3448, _e3449, _e3450);
                     }
-                    let _e3470 = phi_4137_;
-                    phi_4138_ = _e3470;
+                    let _e3466 = phi_4133_;
+                    phi_4134_ = _e3466;
                 } else {
-                    phi_4138_ = _e3000;
+                    phi_4134_ = _e2996;
                 }
-                let _e3472 = phi_4138_;
-                phi_4139_ = _e3472;
+                let _e3468 = phi_4134_;
+                phi_4135_ = _e3468;
             }
-            let _e3474 = phi_4139_;
+            let _e3470 = phi_4135_;
+            if (_e3242 > 0f) {
+                if (_e3242 < 1f) {
+                    phi_4144_ = _e3242;
+                } else {
+                    phi_4144_ = 1f;
+                }
+                let _e3474 = phi_4144_;
+                phi_4145_ = _e3474;
+            } else {
+                phi_4145_ = 0f;
+            }
+            let _e3476 = phi_4145_;
+            if (_e3244 > 0f) {
+                if (_e3244 < 1f) {
+                    phi_4155_ = _e3244;
+                } else {
+                    phi_4155_ = 1f;
+                }
+                let _e3481 = phi_4155_;
+                phi_4156_ = _e3481;
+            } else {
+                phi_4156_ = 0f;
+            }
+            let _e3483 = phi_4156_;
             if (_e3246 > 0f) {
                 if (_e3246 < 1f) {
-                    phi_4148_ = _e3246;
+                    phi_4166_ = _e3246;
                 } else {
-                    phi_4148_ = 1f;
+                    phi_4166_ = 1f;
                 }
-                let _e3478 = phi_4148_;
-                phi_4149_ = _e3478;
+                let _e3488 = phi_4166_;
+                phi_4167_ = _e3488;
             } else {
-                phi_4149_ = 0f;
+                phi_4167_ = 0f;
             }
-            let _e3480 = phi_4149_;
-            if (_e3248 > 0f) {
-                if (_e3248 < 1f) {
-                    phi_4159_ = _e3248;
-                } else {
-                    phi_4159_ = 1f;
-                }
-                let _e3485 = phi_4159_;
-                phi_4160_ = _e3485;
-            } else {
-                phi_4160_ = 0f;
-            }
-            let _e3487 = phi_4160_;
-            if (_e3250 > 0f) {
-                if (_e3250 < 1f) {
-                    phi_4170_ = _e3250;
-                } else {
-                    phi_4170_ = 1f;
-                }
-                let _e3492 = phi_4170_;
-                phi_4171_ = _e3492;
-            } else {
-                phi_4171_ = 0f;
-            }
-            let _e3494 = phi_4171_;
-            let _e3497 = ((sqrt(_e3480) * 255f) + 0.5f);
-            let _e3506 = ((sqrt(_e3487) * 255f) + 0.5f);
-            let _e3518 = ((sqrt(_e3494) * 255f) + 0.5f);
-            phi_4206_ = abi_Sample(vec3<f32>(_e2908, _e2909, _e2910), _e3252, _e3000, _e3257, _e3474, ((select(select(u32(_e3497), 0u, (_e3497 < bitcast<f32>(0u))), 4294967295u, (_e3497 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3506), 0u, (_e3506 < bitcast<f32>(0u))), 4294967295u, (_e3506 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3518), 0u, (_e3518 < bitcast<f32>(0u))), 4294967295u, (_e3518 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3490 = phi_4167_;
+            let _e3493 = ((sqrt(_e3476) * 255f) + 0.5f);
+            let _e3502 = ((sqrt(_e3483) * 255f) + 0.5f);
+            let _e3514 = ((sqrt(_e3490) * 255f) + 0.5f);
+            phi_4202_ = abi_Sample(vec3<f32>(_e2904, _e2905, _e2906), _e3248, _e2996, _e3253, _e3470, ((select(select(u32(_e3493), 0u, (_e3493 < bitcast<f32>(0u))), 4294967295u, (_e3493 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3502), 0u, (_e3502 < bitcast<f32>(0u))), 4294967295u, (_e3502 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3514), 0u, (_e3514 < bitcast<f32>(0u))), 4294967295u, (_e3514 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4206_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4202_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3532 = phi_4206_;
+        let _e3528 = phi_4202_;
         if (_e105.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e105.first_primitive)] = _e3532;
+        samples.member[(0u + _e105.first_primitive)] = _e3528;
     }
     return;
 }

@@ -846,68 +846,68 @@ fn function_() {
     var phi_2980_: bool;
     var phi_2984_: bool;
     var phi_2985_: bool;
-    var phi_3192_: f32;
-    var phi_3195_: bool;
+    var phi_3188_: f32;
+    var phi_3191_: bool;
+    var phi_3192_: bool;
     var phi_3196_: bool;
-    var phi_3200_: bool;
-    var phi_3208_: lt_bvh_Hit;
-    var phi_3209_: lt_bvh_Hit;
-    var phi_3210_: lt_bvh_Hit;
-    var phi_3211_: lt_bvh_Hit;
+    var phi_3204_: lt_bvh_Hit;
+    var phi_3205_: lt_bvh_Hit;
+    var phi_3206_: lt_bvh_Hit;
+    var phi_3207_: lt_bvh_Hit;
     var phi_2464_: lt_bvh_Hit;
     var phi_2467_: u32;
-    var phi_3212_: bool;
-    var phi_3251_: bool;
-    var phi_3252_: bool;
-    var phi_3283_: u32;
+    var phi_3208_: bool;
+    var phi_3247_: bool;
+    var phi_3248_: bool;
+    var phi_3279_: u32;
     var phi_2131_: lt_bvh_Hit;
     var phi_2134_: u32;
-    var phi_3284_: lt_bvh_Hit;
-    var phi_3285_: lt_bvh_Hit;
-    var phi_3286_: bool;
-    var phi_3290_: lt_bvh_Hit;
-    var phi_3291_: lt_bvh_Hit;
-    var phi_3292_: lt_bvh_Hit;
-    var phi_3293_: lt_bvh_Hit;
+    var phi_3280_: lt_bvh_Hit;
+    var phi_3281_: lt_bvh_Hit;
+    var phi_3282_: bool;
+    var phi_3286_: lt_bvh_Hit;
+    var phi_3287_: lt_bvh_Hit;
+    var phi_3288_: lt_bvh_Hit;
+    var phi_3289_: lt_bvh_Hit;
     var phi_1505_: u32;
     var phi_1508_: lt_bvh_Hit;
-    var phi_3294_: bool;
-    var phi_3333_: bool;
-    var phi_3334_: bool;
-    var phi_3365_: u32;
+    var phi_3290_: bool;
+    var phi_3329_: bool;
+    var phi_3330_: bool;
+    var phi_3361_: u32;
     var phi_1168_: u32;
     var phi_1171_: lt_bvh_Hit;
-    var phi_3366_: lt_bvh_Hit;
-    var phi_3367_: lt_bvh_Hit;
-    var phi_3368_: bool;
-    var phi_3372_: lt_bvh_Hit;
-    var phi_3560_: f32;
-    var phi_3565_: f32;
-    var phi_3570_: f32;
-    var phi_3578_: f32;
-    var phi_3583_: f32;
-    var phi_3588_: f32;
-    var phi_3652_: vec3<f32>;
-    var phi_3773_: u32;
-    var phi_3800_: f32;
-    var phi_3807_: f32;
-    var phi_3814_: f32;
-    var phi_3849_: f32;
-    var phi_3856_: f32;
-    var phi_3863_: f32;
-    var phi_3901_: f32;
-    var phi_3908_: f32;
-    var phi_3915_: f32;
-    var phi_4001_: vec3<f32>;
-    var phi_4002_: vec3<f32>;
-    var phi_4003_: vec3<f32>;
-    var phi_4012_: f32;
-    var phi_4013_: f32;
-    var phi_4023_: f32;
-    var phi_4024_: f32;
-    var phi_4034_: f32;
-    var phi_4035_: f32;
-    var phi_4070_: abi_Sample;
+    var phi_3362_: lt_bvh_Hit;
+    var phi_3363_: lt_bvh_Hit;
+    var phi_3364_: bool;
+    var phi_3368_: lt_bvh_Hit;
+    var phi_3556_: f32;
+    var phi_3561_: f32;
+    var phi_3566_: f32;
+    var phi_3574_: f32;
+    var phi_3579_: f32;
+    var phi_3584_: f32;
+    var phi_3648_: vec3<f32>;
+    var phi_3769_: u32;
+    var phi_3796_: f32;
+    var phi_3803_: f32;
+    var phi_3810_: f32;
+    var phi_3845_: f32;
+    var phi_3852_: f32;
+    var phi_3859_: f32;
+    var phi_3897_: f32;
+    var phi_3904_: f32;
+    var phi_3911_: f32;
+    var phi_3997_: vec3<f32>;
+    var phi_3998_: vec3<f32>;
+    var phi_3999_: vec3<f32>;
+    var phi_4008_: f32;
+    var phi_4009_: f32;
+    var phi_4019_: f32;
+    var phi_4020_: f32;
+    var phi_4030_: f32;
+    var phi_4031_: f32;
+    var phi_4066_: abi_Sample;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -1044,7 +1044,7 @@ fn function_() {
         if _e228 {
             let _e229 = (_e106 >= _e76);
             if _e229 {
-                phi_3366_ = lt_bvh_Hit();
+                phi_3362_ = lt_bvh_Hit();
             } else {
                 if (_e106 < _e76) {
                 } else {
@@ -1397,7 +1397,7 @@ fn function_() {
                             if (_e973 == 0u) {
                                 phi_1505_ = u32();
                                 phi_1508_ = lt_bvh_Hit();
-                                phi_3294_ = false;
+                                phi_3290_ = false;
                             } else {
                                 let _e979 = nodes.member[(0u + _e530)].links[1u];
                                 let _e983 = (_e979 + select(firstTrailingBit(_e973), 32u, (_e973 == 0u)));
@@ -1579,7 +1579,7 @@ fn function_() {
                                             if _e1205 {
                                                 let _e1206 = (_e1142 >= _e76);
                                                 if _e1206 {
-                                                    phi_3284_ = lt_bvh_Hit();
+                                                    phi_3280_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1142 < _e76) {
                                                     } else {
@@ -1974,7 +1974,7 @@ fn function_() {
                                                                 if (_e1959 == 0u) {
                                                                     phi_2464_ = lt_bvh_Hit();
                                                                     phi_2467_ = u32();
-                                                                    phi_3212_ = false;
+                                                                    phi_3208_ = false;
                                                                 } else {
                                                                     let _e1963 = nodes.member[(0u + _e1520)].links[1u];
                                                                     let _e1968 = ((_e1144 + _e1963) + select(firstTrailingBit(_e1959), 32u, (_e1959 == 0u)));
@@ -2457,7 +2457,7 @@ fn function_() {
                                                                             if _e2363 {
                                                                                 let _e2365 = triangles.member[(0u + _e1968)].i0_;
                                                                                 if ((_e2365 & 2147483648u) == 0u) {
-                                                                                    phi_3200_ = true;
+                                                                                    phi_3196_ = true;
                                                                                 } else {
                                                                                     if (_e1968 < _e79) {
                                                                                     } else {
@@ -2491,571 +2491,571 @@ fn function_() {
                                                                                     if ((_e2398.flags & 0u) == 0u) {
                                                                                         let _e2403 = ((1f - _e2331.u) - _e2331.v);
                                                                                         if (_e2398.cutoff <= 0f) {
-                                                                                            phi_3195_ = true;
+                                                                                            phi_3191_ = true;
                                                                                         } else {
-                                                                                            let _e2434 = (_e2398.base_color.w * ((((f32((_e2392[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2403) + ((f32((_e2392[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2331.u)) + ((f32((_e2392[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2331.v)));
+                                                                                            let _e2430 = (_e2398.base_color.w * ((((f32((_e2392[0].color >> bitcast<u32>(24i))) * _e2403) + (f32((_e2392[1].color >> bitcast<u32>(24i))) * _e2331.u)) + (f32((_e2392[2].color >> bitcast<u32>(24i))) * _e2331.v)) * (1f / 255f)));
                                                                                             if (_e2398.alpha_size == 0u) {
-                                                                                                phi_3192_ = _e2434;
+                                                                                                phi_3188_ = _e2430;
                                                                                             } else {
                                                                                                 local.offset = _e2398.alpha_offset;
                                                                                                 local.size = _e2398.alpha_size;
                                                                                                 local.flags = _e2398.flags;
-                                                                                                let _e2465 = _lt_shaders_texture_TextureView_quad((&local), (((_e2392[0].u * _e2403) + (_e2392[1].u * _e2331.u)) + (_e2392[2].u * _e2331.v)), (((_e2392[0].v * _e2403) + (_e2392[1].v * _e2331.u)) + (_e2392[2].v * _e2331.v)));
-                                                                                                let _e2469 = (_e2465.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2469 < _e94) {
+                                                                                                let _e2461 = _lt_shaders_texture_TextureView_quad((&local), (((_e2392[0].u * _e2403) + (_e2392[1].u * _e2331.u)) + (_e2392[2].u * _e2331.v)), (((_e2392[0].v * _e2403) + (_e2392[1].v * _e2331.u)) + (_e2392[2].v * _e2331.v)));
+                                                                                                let _e2465 = (_e2461.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2465 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2473 = alpha_texels.member[(0u + _e2469)];
-                                                                                                let _e2489 = (_e2465.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2489 < _e94) {
+                                                                                                let _e2469 = alpha_texels.member[(0u + _e2465)];
+                                                                                                let _e2485 = (_e2461.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2485 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2493 = alpha_texels.member[(0u + _e2489)];
-                                                                                                let _e2510 = (_e2465.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2510 < _e94) {
+                                                                                                let _e2489 = alpha_texels.member[(0u + _e2485)];
+                                                                                                let _e2506 = (_e2461.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2506 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2514 = alpha_texels.member[(0u + _e2510)];
-                                                                                                let _e2531 = (_e2465.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2531 < _e94) {
+                                                                                                let _e2510 = alpha_texels.member[(0u + _e2506)];
+                                                                                                let _e2527 = (_e2461.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2527 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2535 = alpha_texels.member[(0u + _e2531)];
-                                                                                                phi_3192_ = (_e2434 * (((((f32(((_e2473 >> bitcast<u32>((((_e2465.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.x) + ((f32(((_e2493 >> bitcast<u32>((((_e2465.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.y)) + ((f32(((_e2514 >> bitcast<u32>((((_e2465.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.z)) + ((f32(((_e2535 >> bitcast<u32>((((_e2465.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.w)));
+                                                                                                let _e2531 = alpha_texels.member[(0u + _e2527)];
+                                                                                                phi_3188_ = (_e2430 * (((((f32(((_e2469 >> bitcast<u32>((((_e2461.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.x) + ((f32(((_e2489 >> bitcast<u32>((((_e2461.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.y)) + ((f32(((_e2510 >> bitcast<u32>((((_e2461.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.z)) + ((f32(((_e2531 >> bitcast<u32>((((_e2461.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.w)));
                                                                                             }
-                                                                                            let _e2551 = phi_3192_;
-                                                                                            phi_3195_ = (_e2551 >= _e2398.cutoff);
+                                                                                            let _e2547 = phi_3188_;
+                                                                                            phi_3191_ = (_e2547 >= _e2398.cutoff);
                                                                                         }
-                                                                                        let _e2555 = phi_3195_;
-                                                                                        phi_3196_ = _e2555;
+                                                                                        let _e2551 = phi_3191_;
+                                                                                        phi_3192_ = _e2551;
                                                                                     } else {
-                                                                                        phi_3196_ = false;
+                                                                                        phi_3192_ = false;
                                                                                     }
-                                                                                    let _e2557 = phi_3196_;
-                                                                                    if _e2557 {
+                                                                                    let _e2553 = phi_3192_;
+                                                                                    if _e2553 {
                                                                                     }
-                                                                                    phi_3200_ = _e2557;
+                                                                                    phi_3196_ = _e2553;
                                                                                 }
-                                                                                let _e2559 = phi_3200_;
-                                                                                if _e2559 {
-                                                                                    phi_3208_ = lt_bvh_Hit(_e2331.t, _e2331.u, _e2331.v, _e1968, _e983);
+                                                                                let _e2555 = phi_3196_;
+                                                                                if _e2555 {
+                                                                                    phi_3204_ = lt_bvh_Hit(_e2331.t, _e2331.u, _e2331.v, _e1968, _e983);
                                                                                 } else {
-                                                                                    phi_3208_ = _e1957;
+                                                                                    phi_3204_ = _e1957;
                                                                                 }
-                                                                                let _e2565 = phi_3208_;
-                                                                                phi_3209_ = _e2565;
+                                                                                let _e2561 = phi_3204_;
+                                                                                phi_3205_ = _e2561;
                                                                             } else {
-                                                                                phi_3209_ = _e1957;
+                                                                                phi_3205_ = _e1957;
                                                                             }
-                                                                            let _e2567 = phi_3209_;
-                                                                            phi_3210_ = _e2567;
+                                                                            let _e2563 = phi_3205_;
+                                                                            phi_3206_ = _e2563;
                                                                         } else {
-                                                                            phi_3210_ = _e1957;
+                                                                            phi_3206_ = _e1957;
                                                                         }
-                                                                        let _e2569 = phi_3210_;
-                                                                        phi_3211_ = _e2569;
+                                                                        let _e2565 = phi_3206_;
+                                                                        phi_3207_ = _e2565;
                                                                     } else {
-                                                                        phi_3211_ = _e1957;
+                                                                        phi_3207_ = _e1957;
                                                                     }
-                                                                    let _e2571 = phi_3211_;
-                                                                    phi_2464_ = _e2571;
+                                                                    let _e2567 = phi_3207_;
+                                                                    phi_2464_ = _e2567;
                                                                     phi_2467_ = (_e1959 & (_e1959 - 1u));
-                                                                    phi_3212_ = true;
+                                                                    phi_3208_ = true;
                                                                 }
-                                                                let _e2573 = phi_2464_;
-                                                                let _e2575 = phi_2467_;
-                                                                let _e2577 = phi_3212_;
+                                                                let _e2569 = phi_2464_;
+                                                                let _e2571 = phi_2467_;
+                                                                let _e2573 = phi_3208_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2463_ = _e2573;
-                                                                    phi_2466_ = _e2575;
-                                                                    break if !(_e2577);
+                                                                    phi_2463_ = _e2569;
+                                                                    phi_2466_ = _e2571;
+                                                                    break if !(_e2573);
                                                                 }
                                                             }
-                                                            let _e2580 = local_1.group_mask;
-                                                            if ((_e2580 & 4278190080u) == 0u) {
-                                                                let _e2584 = local_1.len;
-                                                                if (_e2584 == 0u) {
-                                                                    phi_3251_ = false;
+                                                            let _e2576 = local_1.group_mask;
+                                                            if ((_e2576 & 4278190080u) == 0u) {
+                                                                let _e2580 = local_1.len;
+                                                                if (_e2580 == 0u) {
+                                                                    phi_3247_ = false;
                                                                 } else {
-                                                                    let _e2588 = local_1.len;
-                                                                    local_1.len = (_e2588 - 1u);
-                                                                    let _e2591 = local_1.len;
-                                                                    if (_e2591 < 32u) {
+                                                                    let _e2584 = local_1.len;
+                                                                    local_1.len = (_e2584 - 1u);
+                                                                    let _e2587 = local_1.len;
+                                                                    if (_e2587 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2596 = local_1.first[(0u + _e2591)];
-                                                                    local_1.group = _e2596;
-                                                                    let _e2599 = local_1.len;
-                                                                    if (_e2599 < 32u) {
+                                                                    let _e2592 = local_1.first[(0u + _e2587)];
+                                                                    local_1.group = _e2592;
+                                                                    let _e2595 = local_1.len;
+                                                                    if (_e2595 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2604 = local_1.mask[(0u + _e2599)];
-                                                                    local_1.group_mask = _e2604;
-                                                                    phi_3251_ = true;
+                                                                    let _e2600 = local_1.mask[(0u + _e2595)];
+                                                                    local_1.group_mask = _e2600;
+                                                                    phi_3247_ = true;
                                                                 }
-                                                                let _e2607 = phi_3251_;
-                                                                phi_3252_ = _e2607;
+                                                                let _e2603 = phi_3247_;
+                                                                phi_3248_ = _e2603;
                                                             } else {
-                                                                phi_3252_ = true;
+                                                                phi_3248_ = true;
                                                             }
-                                                            let _e2609 = phi_3252_;
-                                                            if _e2609 {
-                                                                let _e2611 = local_1.group_mask;
-                                                                let _e2617 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2611)), 32u, (_e2611 == 0u)));
-                                                                let _e2621 = local_1.group_mask;
-                                                                let _e2635 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2635 & ~((1u << bitcast<u32>((_e2617 & 31u)))));
-                                                                let _e2638 = local_1.group;
-                                                                phi_3283_ = (_e2638 + countOneBits(((_e2621 & ~((4294967295u << bitcast<u32>((((_e2617 - 24u) ^ _e1380) & 31u))))) & 255u)));
+                                                            let _e2605 = phi_3248_;
+                                                            if _e2605 {
+                                                                let _e2607 = local_1.group_mask;
+                                                                let _e2613 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2607)), 32u, (_e2607 == 0u)));
+                                                                let _e2617 = local_1.group_mask;
+                                                                let _e2631 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2631 & ~((1u << bitcast<u32>((_e2613 & 31u)))));
+                                                                let _e2634 = local_1.group;
+                                                                phi_3279_ = (_e2634 + countOneBits(((_e2617 & ~((4294967295u << bitcast<u32>((((_e2613 - 24u) ^ _e1380) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3283_ = 4294967295u;
+                                                                phi_3279_ = 4294967295u;
                                                             }
-                                                            let _e2641 = phi_3283_;
-                                                            let _e3624 = local_9;
-                                                            phi_2131_ = _e3624;
-                                                            phi_2134_ = _e2641;
+                                                            let _e2637 = phi_3279_;
+                                                            let _e3620 = local_9;
+                                                            phi_2131_ = _e3620;
+                                                            phi_2134_ = _e2637;
                                                         } else {
                                                             phi_2131_ = lt_bvh_Hit();
                                                             phi_2134_ = u32();
                                                         }
-                                                        let _e2643 = phi_2131_;
-                                                        let _e2645 = phi_2134_;
+                                                        let _e2639 = phi_2131_;
+                                                        let _e2641 = phi_2134_;
                                                         continue;
                                                         continuing {
-                                                            phi_2130_ = _e2643;
-                                                            phi_2133_ = _e2645;
+                                                            phi_2130_ = _e2639;
+                                                            phi_2133_ = _e2641;
                                                             break if !(_e1521);
                                                         }
                                                     }
-                                                    let _e3628 = local_10;
-                                                    phi_3284_ = _e3628;
+                                                    let _e3624 = local_10;
+                                                    phi_3280_ = _e3624;
                                                 }
-                                                let _e2648 = phi_3284_;
-                                                phi_3285_ = _e2648;
-                                                phi_3286_ = _e1206;
+                                                let _e2644 = phi_3280_;
+                                                phi_3281_ = _e2644;
+                                                phi_3282_ = _e1206;
                                             } else {
-                                                phi_3285_ = lt_bvh_Hit();
-                                                phi_3286_ = true;
+                                                phi_3281_ = lt_bvh_Hit();
+                                                phi_3282_ = true;
                                             }
-                                            let _e2650 = phi_3285_;
-                                            let _e2652 = phi_3286_;
-                                            if _e2652 {
-                                                phi_3290_ = _e975;
+                                            let _e2646 = phi_3281_;
+                                            let _e2648 = phi_3282_;
+                                            if _e2648 {
+                                                phi_3286_ = _e975;
                                             } else {
-                                                phi_3290_ = _e2650;
+                                                phi_3286_ = _e2646;
                                             }
-                                            let _e2654 = phi_3290_;
-                                            phi_3291_ = _e2654;
+                                            let _e2650 = phi_3286_;
+                                            phi_3287_ = _e2650;
                                         } else {
-                                            phi_3291_ = _e975;
+                                            phi_3287_ = _e975;
                                         }
-                                        let _e2656 = phi_3291_;
-                                        phi_3292_ = _e2656;
+                                        let _e2652 = phi_3287_;
+                                        phi_3288_ = _e2652;
                                     } else {
-                                        phi_3292_ = _e975;
+                                        phi_3288_ = _e975;
                                     }
-                                    let _e2658 = phi_3292_;
-                                    phi_3293_ = _e2658;
+                                    let _e2654 = phi_3288_;
+                                    phi_3289_ = _e2654;
                                 } else {
-                                    phi_3293_ = _e975;
+                                    phi_3289_ = _e975;
                                 }
-                                let _e2660 = phi_3293_;
+                                let _e2656 = phi_3289_;
                                 phi_1505_ = (_e973 & (_e973 - 1u));
-                                phi_1508_ = _e2660;
-                                phi_3294_ = true;
+                                phi_1508_ = _e2656;
+                                phi_3290_ = true;
                             }
-                            let _e2662 = phi_1505_;
-                            let _e2664 = phi_1508_;
-                            let _e2666 = phi_3294_;
+                            let _e2658 = phi_1505_;
+                            let _e2660 = phi_1508_;
+                            let _e2662 = phi_3290_;
                             continue;
                             continuing {
-                                phi_1504_ = _e2662;
-                                phi_1507_ = _e2664;
-                                break if !(_e2666);
+                                phi_1504_ = _e2658;
+                                phi_1507_ = _e2660;
+                                break if !(_e2662);
                             }
                         }
-                        let _e2669 = local_2.group_mask;
-                        if ((_e2669 & 4278190080u) == 0u) {
-                            let _e2673 = local_2.len;
-                            if (_e2673 == 0u) {
-                                phi_3333_ = false;
+                        let _e2665 = local_2.group_mask;
+                        if ((_e2665 & 4278190080u) == 0u) {
+                            let _e2669 = local_2.len;
+                            if (_e2669 == 0u) {
+                                phi_3329_ = false;
                             } else {
-                                let _e2677 = local_2.len;
-                                local_2.len = (_e2677 - 1u);
-                                let _e2680 = local_2.len;
-                                if (_e2680 < 32u) {
+                                let _e2673 = local_2.len;
+                                local_2.len = (_e2673 - 1u);
+                                let _e2676 = local_2.len;
+                                if (_e2676 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2685 = local_2.first[(0u + _e2680)];
-                                local_2.group = _e2685;
-                                let _e2688 = local_2.len;
-                                if (_e2688 < 32u) {
+                                let _e2681 = local_2.first[(0u + _e2676)];
+                                local_2.group = _e2681;
+                                let _e2684 = local_2.len;
+                                if (_e2684 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2693 = local_2.mask[(0u + _e2688)];
-                                local_2.group_mask = _e2693;
-                                phi_3333_ = true;
+                                let _e2689 = local_2.mask[(0u + _e2684)];
+                                local_2.group_mask = _e2689;
+                                phi_3329_ = true;
                             }
-                            let _e2696 = phi_3333_;
-                            phi_3334_ = _e2696;
+                            let _e2692 = phi_3329_;
+                            phi_3330_ = _e2692;
                         } else {
-                            phi_3334_ = true;
+                            phi_3330_ = true;
                         }
-                        let _e2698 = phi_3334_;
-                        if _e2698 {
-                            let _e2700 = local_2.group_mask;
-                            let _e2706 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2700)), 32u, (_e2700 == 0u)));
-                            let _e2710 = local_2.group_mask;
-                            let _e2724 = local_2.group_mask;
-                            local_2.group_mask = (_e2724 & ~((1u << bitcast<u32>((_e2706 & 31u)))));
-                            let _e2727 = local_2.group;
-                            phi_3365_ = (_e2727 + countOneBits(((_e2710 & ~((4294967295u << bitcast<u32>((((_e2706 - 24u) ^ _e392) & 31u))))) & 255u)));
+                        let _e2694 = phi_3330_;
+                        if _e2694 {
+                            let _e2696 = local_2.group_mask;
+                            let _e2702 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2696)), 32u, (_e2696 == 0u)));
+                            let _e2706 = local_2.group_mask;
+                            let _e2720 = local_2.group_mask;
+                            local_2.group_mask = (_e2720 & ~((1u << bitcast<u32>((_e2702 & 31u)))));
+                            let _e2723 = local_2.group;
+                            phi_3361_ = (_e2723 + countOneBits(((_e2706 & ~((4294967295u << bitcast<u32>((((_e2702 - 24u) ^ _e392) & 31u))))) & 255u)));
                         } else {
-                            phi_3365_ = 4294967295u;
+                            phi_3361_ = 4294967295u;
                         }
-                        let _e2730 = phi_3365_;
-                        phi_1168_ = _e2730;
-                        let _e3644 = local_11;
-                        phi_1171_ = _e3644;
+                        let _e2726 = phi_3361_;
+                        phi_1168_ = _e2726;
+                        let _e3640 = local_11;
+                        phi_1171_ = _e3640;
                     } else {
                         phi_1168_ = u32();
                         phi_1171_ = lt_bvh_Hit();
                     }
-                    let _e2732 = phi_1168_;
-                    let _e2734 = phi_1171_;
+                    let _e2728 = phi_1168_;
+                    let _e2730 = phi_1171_;
                     continue;
                     continuing {
-                        phi_1167_ = _e2732;
-                        phi_1170_ = _e2734;
+                        phi_1167_ = _e2728;
+                        phi_1170_ = _e2730;
                         break if !(_e533);
                     }
                 }
-                let _e3647 = local_12;
-                phi_3366_ = _e3647;
+                let _e3643 = local_12;
+                phi_3362_ = _e3643;
             }
-            let _e2737 = phi_3366_;
-            phi_3367_ = _e2737;
-            phi_3368_ = _e229;
+            let _e2733 = phi_3362_;
+            phi_3363_ = _e2733;
+            phi_3364_ = _e229;
         } else {
-            phi_3367_ = lt_bvh_Hit();
-            phi_3368_ = true;
+            phi_3363_ = lt_bvh_Hit();
+            phi_3364_ = true;
         }
-        let _e2739 = phi_3367_;
-        let _e2741 = phi_3368_;
-        if _e2741 {
-            phi_3372_ = _e159;
+        let _e2735 = phi_3363_;
+        let _e2737 = phi_3364_;
+        if _e2737 {
+            phi_3368_ = _e159;
         } else {
-            phi_3372_ = _e2739;
+            phi_3368_ = _e2735;
         }
-        let _e2743 = phi_3372_;
-        if (_e2743.triangle != 4294967295u) {
-            let _e2749 = ((1f - _e2743.u) - _e2743.v);
-            if (_e2743.triangle < _e79) {
+        let _e2739 = phi_3368_;
+        if (_e2739.triangle != 4294967295u) {
+            let _e2745 = ((1f - _e2739.u) - _e2739.v);
+            if (_e2739.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2755 = triangles.member[(0u + _e2743.triangle)];
-            if (_e2743.instance < _e91) {
+            let _e2751 = triangles.member[(0u + _e2739.triangle)];
+            if (_e2739.instance < _e91) {
             } else {
                 return;
             }
-            let _e2766 = instances.member[(0u + _e2743.instance)].object_to_world[0u];
-            let _e2777 = ((((_e2766.x * _e2755.v0_.x) + (_e2766.y * _e2755.v0_.y)) + (_e2766.z * _e2755.v0_.z)) + (_e2766.w * 1f));
-            let _e2779 = instances.member[(0u + _e2743.instance)].object_to_world[1u];
-            let _e2790 = ((((_e2779.x * _e2755.v0_.x) + (_e2779.y * _e2755.v0_.y)) + (_e2779.z * _e2755.v0_.z)) + (_e2779.w * 1f));
-            let _e2792 = instances.member[(0u + _e2743.instance)].object_to_world[2u];
-            let _e2803 = ((((_e2792.x * _e2755.v0_.x) + (_e2792.y * _e2755.v0_.y)) + (_e2792.z * _e2755.v0_.z)) + (_e2792.w * 1f));
-            let _e2810 = instances.member[(0u + _e2743.instance)].object_to_world[0u];
-            let _e2821 = ((((_e2810.x * _e2755.v1_.x) + (_e2810.y * _e2755.v1_.y)) + (_e2810.z * _e2755.v1_.z)) + (_e2810.w * 1f));
-            let _e2823 = instances.member[(0u + _e2743.instance)].object_to_world[1u];
-            let _e2834 = ((((_e2823.x * _e2755.v1_.x) + (_e2823.y * _e2755.v1_.y)) + (_e2823.z * _e2755.v1_.z)) + (_e2823.w * 1f));
-            let _e2836 = instances.member[(0u + _e2743.instance)].object_to_world[2u];
-            let _e2847 = ((((_e2836.x * _e2755.v1_.x) + (_e2836.y * _e2755.v1_.y)) + (_e2836.z * _e2755.v1_.z)) + (_e2836.w * 1f));
-            let _e2854 = instances.member[(0u + _e2743.instance)].object_to_world[0u];
-            let _e2865 = ((((_e2854.x * _e2755.v2_.x) + (_e2854.y * _e2755.v2_.y)) + (_e2854.z * _e2755.v2_.z)) + (_e2854.w * 1f));
-            let _e2867 = instances.member[(0u + _e2743.instance)].object_to_world[1u];
-            let _e2878 = ((((_e2867.x * _e2755.v2_.x) + (_e2867.y * _e2755.v2_.y)) + (_e2867.z * _e2755.v2_.z)) + (_e2867.w * 1f));
-            let _e2880 = instances.member[(0u + _e2743.instance)].object_to_world[2u];
-            let _e2891 = ((((_e2880.x * _e2755.v2_.x) + (_e2880.y * _e2755.v2_.y)) + (_e2880.z * _e2755.v2_.z)) + (_e2880.w * 1f));
-            let _e2904 = (((_e2777 * _e2749) + (_e2821 * _e2743.u)) + (_e2865 * _e2743.v));
-            let _e2905 = (((_e2790 * _e2749) + (_e2834 * _e2743.u)) + (_e2878 * _e2743.v));
-            let _e2906 = (((_e2803 * _e2749) + (_e2847 * _e2743.u)) + (_e2891 * _e2743.v));
-            let _e2908 = abs(_e2777);
-            let _e2909 = abs(_e2790);
-            let _e2910 = abs(_e2803);
-            let _e2911 = abs(_e2821);
-            let _e2912 = abs(_e2834);
-            let _e2913 = abs(_e2847);
-            if (_e2908 > _e2911) {
-                phi_3560_ = _e2908;
+            let _e2762 = instances.member[(0u + _e2739.instance)].object_to_world[0u];
+            let _e2773 = ((((_e2762.x * _e2751.v0_.x) + (_e2762.y * _e2751.v0_.y)) + (_e2762.z * _e2751.v0_.z)) + (_e2762.w * 1f));
+            let _e2775 = instances.member[(0u + _e2739.instance)].object_to_world[1u];
+            let _e2786 = ((((_e2775.x * _e2751.v0_.x) + (_e2775.y * _e2751.v0_.y)) + (_e2775.z * _e2751.v0_.z)) + (_e2775.w * 1f));
+            let _e2788 = instances.member[(0u + _e2739.instance)].object_to_world[2u];
+            let _e2799 = ((((_e2788.x * _e2751.v0_.x) + (_e2788.y * _e2751.v0_.y)) + (_e2788.z * _e2751.v0_.z)) + (_e2788.w * 1f));
+            let _e2806 = instances.member[(0u + _e2739.instance)].object_to_world[0u];
+            let _e2817 = ((((_e2806.x * _e2751.v1_.x) + (_e2806.y * _e2751.v1_.y)) + (_e2806.z * _e2751.v1_.z)) + (_e2806.w * 1f));
+            let _e2819 = instances.member[(0u + _e2739.instance)].object_to_world[1u];
+            let _e2830 = ((((_e2819.x * _e2751.v1_.x) + (_e2819.y * _e2751.v1_.y)) + (_e2819.z * _e2751.v1_.z)) + (_e2819.w * 1f));
+            let _e2832 = instances.member[(0u + _e2739.instance)].object_to_world[2u];
+            let _e2843 = ((((_e2832.x * _e2751.v1_.x) + (_e2832.y * _e2751.v1_.y)) + (_e2832.z * _e2751.v1_.z)) + (_e2832.w * 1f));
+            let _e2850 = instances.member[(0u + _e2739.instance)].object_to_world[0u];
+            let _e2861 = ((((_e2850.x * _e2751.v2_.x) + (_e2850.y * _e2751.v2_.y)) + (_e2850.z * _e2751.v2_.z)) + (_e2850.w * 1f));
+            let _e2863 = instances.member[(0u + _e2739.instance)].object_to_world[1u];
+            let _e2874 = ((((_e2863.x * _e2751.v2_.x) + (_e2863.y * _e2751.v2_.y)) + (_e2863.z * _e2751.v2_.z)) + (_e2863.w * 1f));
+            let _e2876 = instances.member[(0u + _e2739.instance)].object_to_world[2u];
+            let _e2887 = ((((_e2876.x * _e2751.v2_.x) + (_e2876.y * _e2751.v2_.y)) + (_e2876.z * _e2751.v2_.z)) + (_e2876.w * 1f));
+            let _e2900 = (((_e2773 * _e2745) + (_e2817 * _e2739.u)) + (_e2861 * _e2739.v));
+            let _e2901 = (((_e2786 * _e2745) + (_e2830 * _e2739.u)) + (_e2874 * _e2739.v));
+            let _e2902 = (((_e2799 * _e2745) + (_e2843 * _e2739.u)) + (_e2887 * _e2739.v));
+            let _e2904 = abs(_e2773);
+            let _e2905 = abs(_e2786);
+            let _e2906 = abs(_e2799);
+            let _e2907 = abs(_e2817);
+            let _e2908 = abs(_e2830);
+            let _e2909 = abs(_e2843);
+            if (_e2904 > _e2907) {
+                phi_3556_ = _e2904;
             } else {
-                phi_3560_ = _e2911;
+                phi_3556_ = _e2907;
             }
-            let _e2916 = phi_3560_;
-            if (_e2909 > _e2912) {
-                phi_3565_ = _e2909;
+            let _e2912 = phi_3556_;
+            if (_e2905 > _e2908) {
+                phi_3561_ = _e2905;
             } else {
-                phi_3565_ = _e2912;
+                phi_3561_ = _e2908;
             }
-            let _e2919 = phi_3565_;
-            if (_e2910 > _e2913) {
-                phi_3570_ = _e2910;
+            let _e2915 = phi_3561_;
+            if (_e2906 > _e2909) {
+                phi_3566_ = _e2906;
             } else {
-                phi_3570_ = _e2913;
+                phi_3566_ = _e2909;
             }
-            let _e2922 = phi_3570_;
-            let _e2923 = abs(_e2865);
-            let _e2924 = abs(_e2878);
-            let _e2925 = abs(_e2891);
-            if (_e2916 > _e2923) {
-                phi_3578_ = _e2916;
+            let _e2918 = phi_3566_;
+            let _e2919 = abs(_e2861);
+            let _e2920 = abs(_e2874);
+            let _e2921 = abs(_e2887);
+            if (_e2912 > _e2919) {
+                phi_3574_ = _e2912;
             } else {
-                phi_3578_ = _e2923;
+                phi_3574_ = _e2919;
             }
-            let _e2928 = phi_3578_;
-            if (_e2919 > _e2924) {
-                phi_3583_ = _e2919;
+            let _e2924 = phi_3574_;
+            if (_e2915 > _e2920) {
+                phi_3579_ = _e2915;
             } else {
-                phi_3583_ = _e2924;
+                phi_3579_ = _e2920;
             }
-            let _e2931 = phi_3583_;
-            if (_e2922 > _e2925) {
-                phi_3588_ = _e2922;
+            let _e2927 = phi_3579_;
+            if (_e2918 > _e2921) {
+                phi_3584_ = _e2918;
             } else {
-                phi_3588_ = _e2925;
+                phi_3584_ = _e2921;
             }
-            let _e2934 = phi_3588_;
-            let _e2935 = (_e2821 - _e2777);
-            let _e2936 = (_e2834 - _e2790);
-            let _e2937 = (_e2847 - _e2803);
-            let _e2938 = (_e2865 - _e2777);
-            let _e2939 = (_e2878 - _e2790);
-            let _e2940 = (_e2891 - _e2803);
-            let _e2944 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2936), abs(_e2937));
-            let _e2945 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2935), _e2944);
-            let _e2946 = (_e2935 / _e2945);
-            let _e2947 = (_e2936 / _e2945);
-            let _e2948 = (_e2937 / _e2945);
-            let _e2952 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2939), abs(_e2940));
-            let _e2953 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2938), _e2952);
-            let _e2954 = (_e2938 / _e2953);
-            let _e2955 = (_e2939 / _e2953);
-            let _e2956 = (_e2940 / _e2953);
-            let _e2959 = ((_e2947 * _e2956) - (_e2955 * _e2948));
-            let _e2962 = ((_e2948 * _e2954) - (_e2956 * _e2946));
-            let _e2965 = ((_e2946 * _e2955) - (_e2954 * _e2947));
-            let _e2967 = p.member.eye;
-            let _e2980 = (1f / sqrt((((_e2959 * _e2959) + (_e2962 * _e2962)) + (_e2965 * _e2965))));
-            let _e2981 = (_e2959 * _e2980);
-            let _e2982 = (_e2962 * _e2980);
-            let _e2983 = (_e2965 * _e2980);
-            if ((((_e2981 * (_e2967.x - _e2904)) + (_e2982 * (_e2967.y - _e2905))) + (_e2983 * (_e2967.z - _e2906))) < 0f) {
-                phi_3652_ = vec3<f32>(-(_e2981), -(_e2982), -(_e2983));
+            let _e2930 = phi_3584_;
+            let _e2931 = (_e2817 - _e2773);
+            let _e2932 = (_e2830 - _e2786);
+            let _e2933 = (_e2843 - _e2799);
+            let _e2934 = (_e2861 - _e2773);
+            let _e2935 = (_e2874 - _e2786);
+            let _e2936 = (_e2887 - _e2799);
+            let _e2940 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2932), abs(_e2933));
+            let _e2941 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2931), _e2940);
+            let _e2942 = (_e2931 / _e2941);
+            let _e2943 = (_e2932 / _e2941);
+            let _e2944 = (_e2933 / _e2941);
+            let _e2948 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2935), abs(_e2936));
+            let _e2949 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2934), _e2948);
+            let _e2950 = (_e2934 / _e2949);
+            let _e2951 = (_e2935 / _e2949);
+            let _e2952 = (_e2936 / _e2949);
+            let _e2955 = ((_e2943 * _e2952) - (_e2951 * _e2944));
+            let _e2958 = ((_e2944 * _e2950) - (_e2952 * _e2942));
+            let _e2961 = ((_e2942 * _e2951) - (_e2950 * _e2943));
+            let _e2963 = p.member.eye;
+            let _e2976 = (1f / sqrt((((_e2955 * _e2955) + (_e2958 * _e2958)) + (_e2961 * _e2961))));
+            let _e2977 = (_e2955 * _e2976);
+            let _e2978 = (_e2958 * _e2976);
+            let _e2979 = (_e2961 * _e2976);
+            if ((((_e2977 * (_e2963.x - _e2900)) + (_e2978 * (_e2963.y - _e2901))) + (_e2979 * (_e2963.z - _e2902))) < 0f) {
+                phi_3648_ = vec3<f32>(-(_e2977), -(_e2978), -(_e2979));
             } else {
-                phi_3652_ = vec3<f32>(_e2981, _e2982, _e2983);
+                phi_3648_ = vec3<f32>(_e2977, _e2978, _e2979);
             }
-            let _e2996 = phi_3652_;
-            if (_e2743.triangle < _e79) {
+            let _e2992 = phi_3648_;
+            if (_e2739.triangle < _e79) {
             } else {
                 return;
             }
-            let _e3001 = triangles.member[(0u + _e2743.triangle)];
-            let _e3003 = (_e3001.i0_ & 2147483647u);
-            if (_e3003 < _e82) {
+            let _e2997 = triangles.member[(0u + _e2739.triangle)];
+            let _e2999 = (_e2997.i0_ & 2147483647u);
+            if (_e2999 < _e82) {
             } else {
                 return;
             }
-            let _e3009 = vertices.member[(0u + _e3003)];
-            if (_e3001.i1_ < _e82) {
+            let _e3005 = vertices.member[(0u + _e2999)];
+            if (_e2997.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e3013 = vertices.member[(0u + _e3001.i1_)];
-            if (_e3001.i2_ < _e82) {
+            let _e3009 = vertices.member[(0u + _e2997.i1_)];
+            if (_e2997.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e3017 = vertices.member[(0u + _e3001.i2_)];
-            let _e3018 = array<abi_Vertex, 3>(_e3009, _e3013, _e3017);
-            if (_e3018[0].material < _e85) {
+            let _e3013 = vertices.member[(0u + _e2997.i2_)];
+            let _e3014 = array<abi_Vertex, 3>(_e3005, _e3009, _e3013);
+            if (_e3014[0].material < _e85) {
             } else {
                 return;
             }
-            let _e3024 = materials.member[(0u + _e3018[0].material)];
-            let _e3041 = (1f / 255f);
-            let _e3060 = (1f / 255f);
-            let _e3082 = (1f / 255f);
-            let _e3095 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2749, _e2743.u, _e2743.v));
-            let _e3097 = ((_e3024.base_color.x * ((((f32((_e3018[0].color & 255u)) * _e3041) * _e2749) + ((f32((_e3018[1].color & 255u)) * _e3060) * _e2743.u)) + ((f32((_e3018[2].color & 255u)) * _e3082) * _e2743.v))) * _e3095.x);
-            let _e3099 = ((_e3024.base_color.y * ((((f32(((_e3018[0].color >> bitcast<u32>(8i)) & 255u)) * _e3041) * _e2749) + ((f32(((_e3018[1].color >> bitcast<u32>(8i)) & 255u)) * _e3060) * _e2743.u)) + ((f32(((_e3018[2].color >> bitcast<u32>(8i)) & 255u)) * _e3082) * _e2743.v))) * _e3095.y);
-            let _e3101 = ((_e3024.base_color.z * ((((f32(((_e3018[0].color >> bitcast<u32>(16i)) & 255u)) * _e3041) * _e2749) + ((f32(((_e3018[1].color >> bitcast<u32>(16i)) & 255u)) * _e3060) * _e2743.u)) + ((f32(((_e3018[2].color >> bitcast<u32>(16i)) & 255u)) * _e3082) * _e2743.v))) * _e3095.z);
-            let _e3102 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2931, _e2934);
-            let _e3103 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2928, _e3102);
-            if ((_e3024.flags & 2u) == 0u) {
-                phi_3773_ = 0u;
+            let _e3020 = materials.member[(0u + _e3014[0].material)];
+            let _e3037 = (1f / 255f);
+            let _e3056 = (1f / 255f);
+            let _e3078 = (1f / 255f);
+            let _e3091 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2745, _e2739.u, _e2739.v));
+            let _e3093 = ((_e3020.base_color.x * ((((f32((_e3014[0].color & 255u)) * _e3037) * _e2745) + ((f32((_e3014[1].color & 255u)) * _e3056) * _e2739.u)) + ((f32((_e3014[2].color & 255u)) * _e3078) * _e2739.v))) * _e3091.x);
+            let _e3095 = ((_e3020.base_color.y * ((((f32(((_e3014[0].color >> bitcast<u32>(8i)) & 255u)) * _e3037) * _e2745) + ((f32(((_e3014[1].color >> bitcast<u32>(8i)) & 255u)) * _e3056) * _e2739.u)) + ((f32(((_e3014[2].color >> bitcast<u32>(8i)) & 255u)) * _e3078) * _e2739.v))) * _e3091.y);
+            let _e3097 = ((_e3020.base_color.z * ((((f32(((_e3014[0].color >> bitcast<u32>(16i)) & 255u)) * _e3037) * _e2745) + ((f32(((_e3014[1].color >> bitcast<u32>(16i)) & 255u)) * _e3056) * _e2739.u)) + ((f32(((_e3014[2].color >> bitcast<u32>(16i)) & 255u)) * _e3078) * _e2739.v))) * _e3091.z);
+            let _e3098 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2927, _e2930);
+            let _e3099 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2924, _e3098);
+            if ((_e3020.flags & 2u) == 0u) {
+                phi_3769_ = 0u;
             } else {
-                phi_3773_ = 1u;
+                phi_3769_ = 1u;
             }
-            let _e3108 = phi_3773_;
-            if (_e3018[0].normal == 2147516416u) {
-                phi_4003_ = _e2996;
+            let _e3104 = phi_3769_;
+            if (_e3014[0].normal == 2147516416u) {
+                phi_3999_ = _e2992;
             } else {
-                let _e3121 = (f32((bitcast<i32>((_e3018[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3127 = (f32((bitcast<i32>(_e3018[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3131 = ((1f - abs(_e3121)) - abs(_e3127));
-                if (_e3131 < 0f) {
-                    phi_3800_ = -(_e3131);
-                } else {
-                    phi_3800_ = 0f;
-                }
-                let _e3135 = phi_3800_;
-                if (_e3121 < 0f) {
-                    phi_3807_ = (_e3121 + _e3135);
-                } else {
-                    phi_3807_ = (_e3121 - _e3135);
-                }
-                let _e3140 = phi_3807_;
+                let _e3117 = (f32((bitcast<i32>((_e3014[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3123 = (f32((bitcast<i32>(_e3014[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3127 = ((1f - abs(_e3117)) - abs(_e3123));
                 if (_e3127 < 0f) {
-                    phi_3814_ = (_e3127 + _e3135);
+                    phi_3796_ = -(_e3127);
                 } else {
-                    phi_3814_ = (_e3127 - _e3135);
+                    phi_3796_ = 0f;
                 }
-                let _e3145 = phi_3814_;
-                let _e3152 = (1f / sqrt((((_e3140 * _e3140) + (_e3145 * _e3145)) + (_e3131 * _e3131))));
-                let _e3168 = (f32((bitcast<i32>((_e3018[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3174 = (f32((bitcast<i32>(_e3018[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3178 = ((1f - abs(_e3168)) - abs(_e3174));
-                if (_e3178 < 0f) {
-                    phi_3849_ = -(_e3178);
+                let _e3131 = phi_3796_;
+                if (_e3117 < 0f) {
+                    phi_3803_ = (_e3117 + _e3131);
                 } else {
-                    phi_3849_ = 0f;
+                    phi_3803_ = (_e3117 - _e3131);
                 }
-                let _e3182 = phi_3849_;
-                if (_e3168 < 0f) {
-                    phi_3856_ = (_e3168 + _e3182);
+                let _e3136 = phi_3803_;
+                if (_e3123 < 0f) {
+                    phi_3810_ = (_e3123 + _e3131);
                 } else {
-                    phi_3856_ = (_e3168 - _e3182);
+                    phi_3810_ = (_e3123 - _e3131);
                 }
-                let _e3187 = phi_3856_;
+                let _e3141 = phi_3810_;
+                let _e3148 = (1f / sqrt((((_e3136 * _e3136) + (_e3141 * _e3141)) + (_e3127 * _e3127))));
+                let _e3164 = (f32((bitcast<i32>((_e3014[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3170 = (f32((bitcast<i32>(_e3014[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3174 = ((1f - abs(_e3164)) - abs(_e3170));
                 if (_e3174 < 0f) {
-                    phi_3863_ = (_e3174 + _e3182);
+                    phi_3845_ = -(_e3174);
                 } else {
-                    phi_3863_ = (_e3174 - _e3182);
+                    phi_3845_ = 0f;
                 }
-                let _e3192 = phi_3863_;
-                let _e3199 = (1f / sqrt((((_e3187 * _e3187) + (_e3192 * _e3192)) + (_e3178 * _e3178))));
-                let _e3218 = (f32((bitcast<i32>((_e3018[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3224 = (f32((bitcast<i32>(_e3018[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3228 = ((1f - abs(_e3218)) - abs(_e3224));
-                if (_e3228 < 0f) {
-                    phi_3901_ = -(_e3228);
+                let _e3178 = phi_3845_;
+                if (_e3164 < 0f) {
+                    phi_3852_ = (_e3164 + _e3178);
                 } else {
-                    phi_3901_ = 0f;
+                    phi_3852_ = (_e3164 - _e3178);
                 }
-                let _e3232 = phi_3901_;
-                if (_e3218 < 0f) {
-                    phi_3908_ = (_e3218 + _e3232);
+                let _e3183 = phi_3852_;
+                if (_e3170 < 0f) {
+                    phi_3859_ = (_e3170 + _e3178);
                 } else {
-                    phi_3908_ = (_e3218 - _e3232);
+                    phi_3859_ = (_e3170 - _e3178);
                 }
-                let _e3237 = phi_3908_;
+                let _e3188 = phi_3859_;
+                let _e3195 = (1f / sqrt((((_e3183 * _e3183) + (_e3188 * _e3188)) + (_e3174 * _e3174))));
+                let _e3214 = (f32((bitcast<i32>((_e3014[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3220 = (f32((bitcast<i32>(_e3014[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3224 = ((1f - abs(_e3214)) - abs(_e3220));
                 if (_e3224 < 0f) {
-                    phi_3915_ = (_e3224 + _e3232);
+                    phi_3897_ = -(_e3224);
                 } else {
-                    phi_3915_ = (_e3224 - _e3232);
+                    phi_3897_ = 0f;
                 }
-                let _e3242 = phi_3915_;
-                let _e3249 = (1f / sqrt((((_e3237 * _e3237) + (_e3242 * _e3242)) + (_e3228 * _e3228))));
-                let _e3256 = ((((_e3140 * _e3152) * _e2749) + ((_e3187 * _e3199) * _e2743.u)) + ((_e3237 * _e3249) * _e2743.v));
-                let _e3257 = ((((_e3145 * _e3152) * _e2749) + ((_e3192 * _e3199) * _e2743.u)) + ((_e3242 * _e3249) * _e2743.v));
-                let _e3258 = ((((_e3131 * _e3152) * _e2749) + ((_e3178 * _e3199) * _e2743.u)) + ((_e3228 * _e3249) * _e2743.v));
-                if (_e2743.instance < _e91) {
+                let _e3228 = phi_3897_;
+                if (_e3214 < 0f) {
+                    phi_3904_ = (_e3214 + _e3228);
+                } else {
+                    phi_3904_ = (_e3214 - _e3228);
+                }
+                let _e3233 = phi_3904_;
+                if (_e3220 < 0f) {
+                    phi_3911_ = (_e3220 + _e3228);
+                } else {
+                    phi_3911_ = (_e3220 - _e3228);
+                }
+                let _e3238 = phi_3911_;
+                let _e3245 = (1f / sqrt((((_e3233 * _e3233) + (_e3238 * _e3238)) + (_e3224 * _e3224))));
+                let _e3252 = ((((_e3136 * _e3148) * _e2745) + ((_e3183 * _e3195) * _e2739.u)) + ((_e3233 * _e3245) * _e2739.v));
+                let _e3253 = ((((_e3141 * _e3148) * _e2745) + ((_e3188 * _e3195) * _e2739.u)) + ((_e3238 * _e3245) * _e2739.v));
+                let _e3254 = ((((_e3127 * _e3148) * _e2745) + ((_e3174 * _e3195) * _e2739.u)) + ((_e3224 * _e3245) * _e2739.v));
+                if (_e2739.instance < _e91) {
                 } else {
                     return;
                 }
-                let _e3265 = instances.member[(0u + _e2743.instance)].world_to_object[0u];
-                let _e3274 = instances.member[(0u + _e2743.instance)].world_to_object[1u];
-                let _e3286 = instances.member[(0u + _e2743.instance)].world_to_object[2u];
-                let _e3293 = (((_e3265.x * _e3256) + (_e3274.x * _e3257)) + (_e3286.x * _e3258));
-                let _e3294 = (((_e3265.y * _e3256) + (_e3274.y * _e3257)) + (_e3286.y * _e3258));
-                let _e3295 = (((_e3265.z * _e3256) + (_e3274.z * _e3257)) + (_e3286.z * _e3258));
-                let _e3301 = sqrt((((_e3293 * _e3293) + (_e3294 * _e3294)) + (_e3295 * _e3295)));
-                if (_e3301 > 0f) {
-                    let _e3303 = (_e3293 / _e3301);
-                    let _e3304 = (_e3294 / _e3301);
-                    let _e3305 = (_e3295 / _e3301);
-                    if ((((_e3303 * _e2996.x) + (_e3304 * _e2996.y)) + (_e3305 * _e2996.z)) < 0f) {
-                        phi_4001_ = vec3<f32>(-(_e3303), -(_e3304), -(_e3305));
+                let _e3261 = instances.member[(0u + _e2739.instance)].world_to_object[0u];
+                let _e3270 = instances.member[(0u + _e2739.instance)].world_to_object[1u];
+                let _e3282 = instances.member[(0u + _e2739.instance)].world_to_object[2u];
+                let _e3289 = (((_e3261.x * _e3252) + (_e3270.x * _e3253)) + (_e3282.x * _e3254));
+                let _e3290 = (((_e3261.y * _e3252) + (_e3270.y * _e3253)) + (_e3282.y * _e3254));
+                let _e3291 = (((_e3261.z * _e3252) + (_e3270.z * _e3253)) + (_e3282.z * _e3254));
+                let _e3297 = sqrt((((_e3289 * _e3289) + (_e3290 * _e3290)) + (_e3291 * _e3291)));
+                if (_e3297 > 0f) {
+                    let _e3299 = (_e3289 / _e3297);
+                    let _e3300 = (_e3290 / _e3297);
+                    let _e3301 = (_e3291 / _e3297);
+                    if ((((_e3299 * _e2992.x) + (_e3300 * _e2992.y)) + (_e3301 * _e2992.z)) < 0f) {
+                        phi_3997_ = vec3<f32>(-(_e3299), -(_e3300), -(_e3301));
                     } else {
-                        phi_4001_ = vec3<f32>(_e3303, _e3304, _e3305);
+                        phi_3997_ = vec3<f32>(_e3299, _e3300, _e3301);
                     }
-                    let _e3321 = phi_4001_;
-                    phi_4002_ = _e3321;
+                    let _e3317 = phi_3997_;
+                    phi_3998_ = _e3317;
                 } else {
-                    phi_4002_ = _e2996;
+                    phi_3998_ = _e2992;
                 }
-                let _e3323 = phi_4002_;
-                phi_4003_ = _e3323;
+                let _e3319 = phi_3998_;
+                phi_3999_ = _e3319;
             }
-            let _e3325 = phi_4003_;
+            let _e3321 = phi_3999_;
+            if (_e3093 > 0f) {
+                if (_e3093 < 1f) {
+                    phi_4008_ = _e3093;
+                } else {
+                    phi_4008_ = 1f;
+                }
+                let _e3325 = phi_4008_;
+                phi_4009_ = _e3325;
+            } else {
+                phi_4009_ = 0f;
+            }
+            let _e3327 = phi_4009_;
+            if (_e3095 > 0f) {
+                if (_e3095 < 1f) {
+                    phi_4019_ = _e3095;
+                } else {
+                    phi_4019_ = 1f;
+                }
+                let _e3332 = phi_4019_;
+                phi_4020_ = _e3332;
+            } else {
+                phi_4020_ = 0f;
+            }
+            let _e3334 = phi_4020_;
             if (_e3097 > 0f) {
                 if (_e3097 < 1f) {
-                    phi_4012_ = _e3097;
+                    phi_4030_ = _e3097;
                 } else {
-                    phi_4012_ = 1f;
+                    phi_4030_ = 1f;
                 }
-                let _e3329 = phi_4012_;
-                phi_4013_ = _e3329;
+                let _e3339 = phi_4030_;
+                phi_4031_ = _e3339;
             } else {
-                phi_4013_ = 0f;
+                phi_4031_ = 0f;
             }
-            let _e3331 = phi_4013_;
-            if (_e3099 > 0f) {
-                if (_e3099 < 1f) {
-                    phi_4023_ = _e3099;
-                } else {
-                    phi_4023_ = 1f;
-                }
-                let _e3336 = phi_4023_;
-                phi_4024_ = _e3336;
-            } else {
-                phi_4024_ = 0f;
-            }
-            let _e3338 = phi_4024_;
-            if (_e3101 > 0f) {
-                if (_e3101 < 1f) {
-                    phi_4034_ = _e3101;
-                } else {
-                    phi_4034_ = 1f;
-                }
-                let _e3343 = phi_4034_;
-                phi_4035_ = _e3343;
-            } else {
-                phi_4035_ = 0f;
-            }
-            let _e3345 = phi_4035_;
-            let _e3348 = ((sqrt(_e3331) * 255f) + 0.5f);
-            let _e3357 = ((sqrt(_e3338) * 255f) + 0.5f);
-            let _e3369 = ((sqrt(_e3345) * 255f) + 0.5f);
-            phi_4070_ = abi_Sample(vec3<f32>(_e2904, _e2905, _e2906), _e3103, _e2996, _e3108, _e3325, ((select(select(u32(_e3348), 0u, (_e3348 < bitcast<f32>(0u))), 4294967295u, (_e3348 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3357), 0u, (_e3357 < bitcast<f32>(0u))), 4294967295u, (_e3357 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3369), 0u, (_e3369 < bitcast<f32>(0u))), 4294967295u, (_e3369 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3341 = phi_4031_;
+            let _e3344 = ((sqrt(_e3327) * 255f) + 0.5f);
+            let _e3353 = ((sqrt(_e3334) * 255f) + 0.5f);
+            let _e3365 = ((sqrt(_e3341) * 255f) + 0.5f);
+            phi_4066_ = abi_Sample(vec3<f32>(_e2900, _e2901, _e2902), _e3099, _e2992, _e3104, _e3321, ((select(select(u32(_e3344), 0u, (_e3344 < bitcast<f32>(0u))), 4294967295u, (_e3344 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3353), 0u, (_e3353 < bitcast<f32>(0u))), 4294967295u, (_e3353 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3365), 0u, (_e3365 < bitcast<f32>(0u))), 4294967295u, (_e3365 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4070_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4066_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3383 = phi_4070_;
+        let _e3379 = phi_4066_;
         if (_e100.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e100.first_primitive)] = _e3383;
+        samples.member[(0u + _e100.first_primitive)] = _e3379;
     }
     return;
 }

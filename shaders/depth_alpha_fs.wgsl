@@ -96,54 +96,54 @@ fn spirv_std_arch_kill() {
 }
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_542_: f32;
-    var phi_547_: f32;
-    var phi_548_: bool;
-    var phi_549_: f32;
-    var phi_550_: bool;
-    var phi_554_: f32;
-    var phi_580_: f32;
-    var phi_585_: f32;
-    var phi_586_: bool;
-    var phi_587_: f32;
-    var phi_588_: bool;
-    var phi_592_: f32;
-    var phi_600_: f32;
-    var phi_601_: f32;
-    var phi_602_: f32;
-    var phi_611_: f32;
-    var phi_612_: f32;
-    var phi_630_: u32;
-    var phi_644_: u32;
-    var phi_651_: u32;
-    var phi_656_: u32;
-    var phi_662_: u32;
-    var phi_667_: u32;
-    var phi_669_: texture_Axis;
-    var phi_697_: f32;
-    var phi_702_: f32;
-    var phi_703_: bool;
-    var phi_704_: f32;
-    var phi_705_: bool;
-    var phi_709_: f32;
-    var phi_735_: f32;
-    var phi_740_: f32;
-    var phi_741_: bool;
-    var phi_742_: f32;
-    var phi_743_: bool;
-    var phi_747_: f32;
-    var phi_755_: f32;
-    var phi_756_: f32;
-    var phi_757_: f32;
-    var phi_766_: f32;
-    var phi_767_: f32;
-    var phi_785_: u32;
-    var phi_799_: u32;
-    var phi_806_: u32;
-    var phi_811_: u32;
-    var phi_817_: u32;
-    var phi_822_: u32;
-    var phi_824_: texture_Axis;
+    var phi_538_: f32;
+    var phi_543_: f32;
+    var phi_544_: bool;
+    var phi_545_: f32;
+    var phi_546_: bool;
+    var phi_550_: f32;
+    var phi_576_: f32;
+    var phi_581_: f32;
+    var phi_582_: bool;
+    var phi_583_: f32;
+    var phi_584_: bool;
+    var phi_588_: f32;
+    var phi_596_: f32;
+    var phi_597_: f32;
+    var phi_598_: f32;
+    var phi_607_: f32;
+    var phi_608_: f32;
+    var phi_626_: u32;
+    var phi_640_: u32;
+    var phi_647_: u32;
+    var phi_652_: u32;
+    var phi_658_: u32;
+    var phi_663_: u32;
+    var phi_665_: texture_Axis;
+    var phi_693_: f32;
+    var phi_698_: f32;
+    var phi_699_: bool;
+    var phi_700_: f32;
+    var phi_701_: bool;
+    var phi_705_: f32;
+    var phi_731_: f32;
+    var phi_736_: f32;
+    var phi_737_: bool;
+    var phi_738_: f32;
+    var phi_739_: bool;
+    var phi_743_: f32;
+    var phi_751_: f32;
+    var phi_752_: f32;
+    var phi_753_: f32;
+    var phi_762_: f32;
+    var phi_763_: f32;
+    var phi_781_: u32;
+    var phi_795_: u32;
+    var phi_802_: u32;
+    var phi_807_: u32;
+    var phi_813_: u32;
+    var phi_818_: u32;
+    var phi_820_: texture_Axis;
 
     let _e43 = (*param).size;
     let _e44 = (_e43 & 65535u);
@@ -157,286 +157,286 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
         if (param_1 > -8388608f) {
             let _e70 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
             if (_e70 > param_1) {
-                phi_542_ = 1f;
+                phi_538_ = 1f;
             } else {
-                phi_542_ = 0f;
+                phi_538_ = 0f;
             }
-            let _e73 = phi_542_;
+            let _e73 = phi_538_;
             if (param_1 < 8388608f) {
-                phi_547_ = (_e70 - _e73);
-                phi_548_ = false;
+                phi_543_ = (_e70 - _e73);
+                phi_544_ = false;
             } else {
-                phi_547_ = f32();
-                phi_548_ = true;
+                phi_543_ = f32();
+                phi_544_ = true;
             }
-            let _e76 = phi_547_;
-            let _e78 = phi_548_;
-            phi_549_ = _e76;
-            phi_550_ = _e78;
+            let _e76 = phi_543_;
+            let _e78 = phi_544_;
+            phi_545_ = _e76;
+            phi_546_ = _e78;
         } else {
-            phi_549_ = f32();
-            phi_550_ = true;
+            phi_545_ = f32();
+            phi_546_ = true;
         }
-        let _e80 = phi_549_;
-        let _e82 = phi_550_;
+        let _e80 = phi_545_;
+        let _e82 = phi_546_;
         if _e82 {
-            phi_554_ = param_1;
+            phi_550_ = param_1;
         } else {
-            phi_554_ = _e80;
+            phi_550_ = _e80;
         }
-        let _e84 = phi_554_;
-        phi_602_ = (param_1 - _e84);
+        let _e84 = phi_550_;
+        phi_598_ = (param_1 - _e84);
     } else {
         if (_e57 == 1u) {
             let _e87 = (param_1 * 0.5f);
             if (_e87 > -8388608f) {
                 let _e99 = f32(select(0i, select(select(i32(_e87), i32(-2147483648), (_e87 < bitcast<f32>(3472883712u))), 2147483647i, (_e87 > bitcast<f32>(1325400063u))), (_e87 == _e87)));
                 if (_e99 > _e87) {
-                    phi_580_ = 1f;
+                    phi_576_ = 1f;
                 } else {
-                    phi_580_ = 0f;
+                    phi_576_ = 0f;
                 }
-                let _e102 = phi_580_;
+                let _e102 = phi_576_;
                 if (_e87 < 8388608f) {
-                    phi_585_ = (_e99 - _e102);
-                    phi_586_ = false;
+                    phi_581_ = (_e99 - _e102);
+                    phi_582_ = false;
                 } else {
-                    phi_585_ = f32();
-                    phi_586_ = true;
+                    phi_581_ = f32();
+                    phi_582_ = true;
                 }
-                let _e105 = phi_585_;
-                let _e107 = phi_586_;
-                phi_587_ = _e105;
-                phi_588_ = _e107;
+                let _e105 = phi_581_;
+                let _e107 = phi_582_;
+                phi_583_ = _e105;
+                phi_584_ = _e107;
             } else {
-                phi_587_ = f32();
-                phi_588_ = true;
+                phi_583_ = f32();
+                phi_584_ = true;
             }
-            let _e109 = phi_587_;
-            let _e111 = phi_588_;
+            let _e109 = phi_583_;
+            let _e111 = phi_584_;
             if _e111 {
-                phi_592_ = _e87;
+                phi_588_ = _e87;
             } else {
-                phi_592_ = _e109;
+                phi_588_ = _e109;
             }
-            let _e113 = phi_592_;
+            let _e113 = phi_588_;
             let _e115 = (param_1 - (2f * _e113));
             if (_e115 > 1f) {
-                phi_600_ = (2f - _e115);
+                phi_596_ = (2f - _e115);
             } else {
-                phi_600_ = _e115;
+                phi_596_ = _e115;
             }
-            let _e119 = phi_600_;
-            phi_601_ = _e119;
+            let _e119 = phi_596_;
+            phi_597_ = _e119;
         } else {
-            phi_601_ = param_1;
+            phi_597_ = param_1;
         }
-        let _e121 = phi_601_;
-        phi_602_ = _e121;
+        let _e121 = phi_597_;
+        phi_598_ = _e121;
     }
-    let _e123 = phi_602_;
+    let _e123 = phi_598_;
     if (_e123 > 0f) {
         if (_e123 < 1f) {
-            phi_611_ = _e123;
+            phi_607_ = _e123;
         } else {
-            phi_611_ = 1f;
+            phi_607_ = 1f;
         }
-        let _e127 = phi_611_;
-        phi_612_ = _e127;
+        let _e127 = phi_607_;
+        phi_608_ = _e127;
     } else {
-        phi_612_ = 0f;
+        phi_608_ = 0f;
     }
-    let _e129 = phi_612_;
+    let _e129 = phi_608_;
     let _e130 = (_e44 - 1u);
     let _e132 = (_e129 * f32(_e44));
     if _e52 {
         let _e139 = select(select(u32(_e132), 0u, (_e132 < bitcast<f32>(0u))), 4294967295u, (_e132 > bitcast<f32>(1333788671u)));
         if (_e130 < _e139) {
-            phi_630_ = _e130;
+            phi_626_ = _e130;
         } else {
-            phi_630_ = _e139;
+            phi_626_ = _e139;
         }
-        let _e142 = phi_630_;
-        phi_669_ = texture_Axis(_e142, _e142, 0f);
+        let _e142 = phi_626_;
+        phi_665_ = texture_Axis(_e142, _e142, 0f);
     } else {
         let _e144 = (_e132 + 0.5f);
         let _e151 = select(select(u32(_e144), 0u, (_e144 < bitcast<f32>(0u))), 4294967295u, (_e144 > bitcast<f32>(1333788671u)));
         if (_e44 < _e151) {
-            phi_644_ = _e44;
+            phi_640_ = _e44;
         } else {
-            phi_644_ = _e151;
+            phi_640_ = _e151;
         }
-        let _e154 = phi_644_;
+        let _e154 = phi_640_;
         if (_e57 == 0u) {
-            phi_651_ = _e130;
+            phi_647_ = _e130;
         } else {
-            phi_651_ = 0u;
+            phi_647_ = 0u;
         }
-        let _e159 = phi_651_;
+        let _e159 = phi_647_;
         if (_e57 == 0u) {
-            phi_656_ = 0u;
+            phi_652_ = 0u;
         } else {
-            phi_656_ = _e130;
+            phi_652_ = _e130;
         }
-        let _e162 = phi_656_;
+        let _e162 = phi_652_;
         if (_e154 == 0u) {
-            phi_662_ = _e159;
+            phi_658_ = _e159;
         } else {
-            phi_662_ = (_e154 - 1u);
+            phi_658_ = (_e154 - 1u);
         }
-        let _e166 = phi_662_;
+        let _e166 = phi_658_;
         if (_e154 > _e130) {
-            phi_667_ = _e162;
+            phi_663_ = _e162;
         } else {
-            phi_667_ = _e154;
+            phi_663_ = _e154;
         }
-        let _e169 = phi_667_;
-        phi_669_ = texture_Axis(_e166, _e169, (_e144 - f32(_e154)));
+        let _e169 = phi_663_;
+        phi_665_ = texture_Axis(_e166, _e169, (_e144 - f32(_e154)));
     }
-    let _e172 = phi_669_;
+    let _e172 = phi_665_;
     let _e174 = (*param).flags;
     let _e177 = ((_e174 >> bitcast<u32>(6u)) & 3u);
     if (_e177 == 0u) {
         if (param_2 > -8388608f) {
             let _e190 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
             if (_e190 > param_2) {
-                phi_697_ = 1f;
+                phi_693_ = 1f;
             } else {
-                phi_697_ = 0f;
+                phi_693_ = 0f;
             }
-            let _e193 = phi_697_;
+            let _e193 = phi_693_;
             if (param_2 < 8388608f) {
-                phi_702_ = (_e190 - _e193);
-                phi_703_ = false;
+                phi_698_ = (_e190 - _e193);
+                phi_699_ = false;
             } else {
-                phi_702_ = f32();
-                phi_703_ = true;
+                phi_698_ = f32();
+                phi_699_ = true;
             }
-            let _e196 = phi_702_;
-            let _e198 = phi_703_;
-            phi_704_ = _e196;
-            phi_705_ = _e198;
+            let _e196 = phi_698_;
+            let _e198 = phi_699_;
+            phi_700_ = _e196;
+            phi_701_ = _e198;
         } else {
-            phi_704_ = f32();
-            phi_705_ = true;
+            phi_700_ = f32();
+            phi_701_ = true;
         }
-        let _e200 = phi_704_;
-        let _e202 = phi_705_;
+        let _e200 = phi_700_;
+        let _e202 = phi_701_;
         if _e202 {
-            phi_709_ = param_2;
+            phi_705_ = param_2;
         } else {
-            phi_709_ = _e200;
+            phi_705_ = _e200;
         }
-        let _e204 = phi_709_;
-        phi_757_ = (param_2 - _e204);
+        let _e204 = phi_705_;
+        phi_753_ = (param_2 - _e204);
     } else {
         if (_e177 == 1u) {
             let _e207 = (param_2 * 0.5f);
             if (_e207 > -8388608f) {
                 let _e219 = f32(select(0i, select(select(i32(_e207), i32(-2147483648), (_e207 < bitcast<f32>(3472883712u))), 2147483647i, (_e207 > bitcast<f32>(1325400063u))), (_e207 == _e207)));
                 if (_e219 > _e207) {
-                    phi_735_ = 1f;
+                    phi_731_ = 1f;
                 } else {
-                    phi_735_ = 0f;
+                    phi_731_ = 0f;
                 }
-                let _e222 = phi_735_;
+                let _e222 = phi_731_;
                 if (_e207 < 8388608f) {
-                    phi_740_ = (_e219 - _e222);
-                    phi_741_ = false;
+                    phi_736_ = (_e219 - _e222);
+                    phi_737_ = false;
                 } else {
-                    phi_740_ = f32();
-                    phi_741_ = true;
+                    phi_736_ = f32();
+                    phi_737_ = true;
                 }
-                let _e225 = phi_740_;
-                let _e227 = phi_741_;
-                phi_742_ = _e225;
-                phi_743_ = _e227;
+                let _e225 = phi_736_;
+                let _e227 = phi_737_;
+                phi_738_ = _e225;
+                phi_739_ = _e227;
             } else {
-                phi_742_ = f32();
-                phi_743_ = true;
+                phi_738_ = f32();
+                phi_739_ = true;
             }
-            let _e229 = phi_742_;
-            let _e231 = phi_743_;
+            let _e229 = phi_738_;
+            let _e231 = phi_739_;
             if _e231 {
-                phi_747_ = _e207;
+                phi_743_ = _e207;
             } else {
-                phi_747_ = _e229;
+                phi_743_ = _e229;
             }
-            let _e233 = phi_747_;
+            let _e233 = phi_743_;
             let _e235 = (param_2 - (2f * _e233));
             if (_e235 > 1f) {
-                phi_755_ = (2f - _e235);
+                phi_751_ = (2f - _e235);
             } else {
-                phi_755_ = _e235;
+                phi_751_ = _e235;
             }
-            let _e239 = phi_755_;
-            phi_756_ = _e239;
+            let _e239 = phi_751_;
+            phi_752_ = _e239;
         } else {
-            phi_756_ = param_2;
+            phi_752_ = param_2;
         }
-        let _e241 = phi_756_;
-        phi_757_ = _e241;
+        let _e241 = phi_752_;
+        phi_753_ = _e241;
     }
-    let _e243 = phi_757_;
+    let _e243 = phi_753_;
     if (_e243 > 0f) {
         if (_e243 < 1f) {
-            phi_766_ = _e243;
+            phi_762_ = _e243;
         } else {
-            phi_766_ = 1f;
+            phi_762_ = 1f;
         }
-        let _e247 = phi_766_;
-        phi_767_ = _e247;
+        let _e247 = phi_762_;
+        phi_763_ = _e247;
     } else {
-        phi_767_ = 0f;
+        phi_763_ = 0f;
     }
-    let _e249 = phi_767_;
+    let _e249 = phi_763_;
     let _e250 = (_e48 - 1u);
     let _e252 = (_e249 * f32(_e48));
     if _e52 {
         let _e259 = select(select(u32(_e252), 0u, (_e252 < bitcast<f32>(0u))), 4294967295u, (_e252 > bitcast<f32>(1333788671u)));
         if (_e250 < _e259) {
-            phi_785_ = _e250;
+            phi_781_ = _e250;
         } else {
-            phi_785_ = _e259;
+            phi_781_ = _e259;
         }
-        let _e262 = phi_785_;
-        phi_824_ = texture_Axis(_e262, _e262, 0f);
+        let _e262 = phi_781_;
+        phi_820_ = texture_Axis(_e262, _e262, 0f);
     } else {
         let _e264 = (_e252 + 0.5f);
         let _e271 = select(select(u32(_e264), 0u, (_e264 < bitcast<f32>(0u))), 4294967295u, (_e264 > bitcast<f32>(1333788671u)));
         if (_e48 < _e271) {
-            phi_799_ = _e48;
+            phi_795_ = _e48;
         } else {
-            phi_799_ = _e271;
+            phi_795_ = _e271;
         }
-        let _e274 = phi_799_;
+        let _e274 = phi_795_;
         if (_e177 == 0u) {
-            phi_806_ = _e250;
+            phi_802_ = _e250;
         } else {
-            phi_806_ = 0u;
+            phi_802_ = 0u;
         }
-        let _e279 = phi_806_;
+        let _e279 = phi_802_;
         if (_e177 == 0u) {
-            phi_811_ = 0u;
+            phi_807_ = 0u;
         } else {
-            phi_811_ = _e250;
+            phi_807_ = _e250;
         }
-        let _e282 = phi_811_;
+        let _e282 = phi_807_;
         if (_e274 == 0u) {
-            phi_817_ = _e279;
+            phi_813_ = _e279;
         } else {
-            phi_817_ = (_e274 - 1u);
+            phi_813_ = (_e274 - 1u);
         }
-        let _e286 = phi_817_;
+        let _e286 = phi_813_;
         if (_e274 > _e250) {
-            phi_822_ = _e282;
+            phi_818_ = _e282;
         } else {
-            phi_822_ = _e274;
+            phi_818_ = _e274;
         }
-        let _e289 = phi_822_;
-        phi_824_ = texture_Axis(_e286, _e289, (_e264 - f32(_e274)));
+        let _e289 = phi_818_;
+        phi_820_ = texture_Axis(_e286, _e289, (_e264 - f32(_e274)));
     }
-    let _e292 = phi_824_;
+    let _e292 = phi_820_;
     let _e296 = (*param).offset;
     let _e303 = (*param).offset;
     let _e310 = (*param).offset;
@@ -453,9 +453,9 @@ fn function_() {
     var phi_239_: vec3<f32>;
     var phi_240_: vec3<f32>;
     var phi_303_: vec3<f32>;
-    var phi_491_: f32;
-    var phi_495_: bool;
-    var phi_496_: bool;
+    var phi_487_: f32;
+    var phi_491_: bool;
+    var phi_492_: bool;
 
     let _e40 = at_1;
     let _e41 = triangle_1;
@@ -553,60 +553,60 @@ fn function_() {
     }
     let _e246 = materials.member[(0u + _e239[0].material)].flags;
     if ((_e246 & 1u) == 0u) {
-        phi_496_ = false;
+        phi_492_ = false;
     } else {
         let _e250 = materials.member[(0u + _e239[0].material)].cutoff;
         if (_e250 <= 0f) {
-            phi_495_ = true;
+            phi_491_ = true;
         } else {
             let _e254 = materials.member[(0u + _e239[0].material)].base_color[3u];
-            let _e284 = (_e254 * ((((f32((_e239[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e222.x) + ((f32((_e239[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e222.y)) + ((f32((_e239[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e222.z)));
-            let _e286 = materials.member[(0u + _e239[0].material)].alpha_size;
-            if (_e286 == 0u) {
-                phi_491_ = _e284;
+            let _e280 = (_e254 * ((((f32((_e239[0].color >> bitcast<u32>(24i))) * _e222.x) + (f32((_e239[1].color >> bitcast<u32>(24i))) * _e222.y)) + (f32((_e239[2].color >> bitcast<u32>(24i))) * _e222.z)) * (1f / 255f)));
+            let _e282 = materials.member[(0u + _e239[0].material)].alpha_size;
+            if (_e282 == 0u) {
+                phi_487_ = _e280;
             } else {
-                let _e289 = materials.member[(0u + _e239[0].material)].alpha_offset;
-                let _e291 = materials.member[(0u + _e239[0].material)].alpha_size;
-                let _e293 = materials.member[(0u + _e239[0].material)].flags;
-                local.offset = _e289;
-                local.size = _e291;
-                local.flags = _e293;
-                let _e322 = _lt_shaders_texture_TextureView_quad((&local), (((_e239[0].u * _e222.x) + (_e239[1].u * _e222.y)) + (_e239[2].u * _e222.z)), (((_e239[0].v * _e222.x) + (_e239[1].v * _e222.y)) + (_e239[2].v * _e222.z)));
-                let _e326 = (_e322.indices[0] >> bitcast<u32>(2i));
-                if (_e326 < _e54) {
+                let _e285 = materials.member[(0u + _e239[0].material)].alpha_offset;
+                let _e287 = materials.member[(0u + _e239[0].material)].alpha_size;
+                let _e289 = materials.member[(0u + _e239[0].material)].flags;
+                local.offset = _e285;
+                local.size = _e287;
+                local.flags = _e289;
+                let _e318 = _lt_shaders_texture_TextureView_quad((&local), (((_e239[0].u * _e222.x) + (_e239[1].u * _e222.y)) + (_e239[2].u * _e222.z)), (((_e239[0].v * _e222.x) + (_e239[1].v * _e222.y)) + (_e239[2].v * _e222.z)));
+                let _e322 = (_e318.indices[0] >> bitcast<u32>(2i));
+                if (_e322 < _e54) {
                 } else {
                     return;
                 }
-                let _e330 = alpha_texels.member[(0u + _e326)];
-                let _e346 = (_e322.indices[1] >> bitcast<u32>(2i));
-                if (_e346 < _e54) {
+                let _e326 = alpha_texels.member[(0u + _e322)];
+                let _e342 = (_e318.indices[1] >> bitcast<u32>(2i));
+                if (_e342 < _e54) {
                 } else {
                     return;
                 }
-                let _e350 = alpha_texels.member[(0u + _e346)];
-                let _e367 = (_e322.indices[2] >> bitcast<u32>(2i));
-                if (_e367 < _e54) {
+                let _e346 = alpha_texels.member[(0u + _e342)];
+                let _e363 = (_e318.indices[2] >> bitcast<u32>(2i));
+                if (_e363 < _e54) {
                 } else {
                     return;
                 }
-                let _e371 = alpha_texels.member[(0u + _e367)];
-                let _e388 = (_e322.indices[3] >> bitcast<u32>(2i));
-                if (_e388 < _e54) {
+                let _e367 = alpha_texels.member[(0u + _e363)];
+                let _e384 = (_e318.indices[3] >> bitcast<u32>(2i));
+                if (_e384 < _e54) {
                 } else {
                     return;
                 }
-                let _e392 = alpha_texels.member[(0u + _e388)];
-                phi_491_ = (_e284 * (((((f32(((_e330 >> bitcast<u32>((((_e322.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e322.weights.x) + ((f32(((_e350 >> bitcast<u32>((((_e322.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e322.weights.y)) + ((f32(((_e371 >> bitcast<u32>((((_e322.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e322.weights.z)) + ((f32(((_e392 >> bitcast<u32>((((_e322.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e322.weights.w)));
+                let _e388 = alpha_texels.member[(0u + _e384)];
+                phi_487_ = (_e280 * (((((f32(((_e326 >> bitcast<u32>((((_e318.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.x) + ((f32(((_e346 >> bitcast<u32>((((_e318.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.y)) + ((f32(((_e367 >> bitcast<u32>((((_e318.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.z)) + ((f32(((_e388 >> bitcast<u32>((((_e318.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.w)));
             }
-            let _e408 = phi_491_;
-            let _e410 = materials.member[(0u + _e239[0].material)].cutoff;
-            phi_495_ = (_e408 >= _e410);
+            let _e404 = phi_487_;
+            let _e406 = materials.member[(0u + _e239[0].material)].cutoff;
+            phi_491_ = (_e404 >= _e406);
         }
-        let _e413 = phi_495_;
-        phi_496_ = _e413;
+        let _e409 = phi_491_;
+        phi_492_ = _e409;
     }
-    let _e415 = phi_496_;
-    if _e415 {
+    let _e411 = phi_492_;
+    if _e411 {
     } else {
         spirv_std_arch_kill();
     }

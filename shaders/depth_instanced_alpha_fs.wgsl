@@ -471,9 +471,9 @@ fn function_() {
     var phi_704_: vec3<f32>;
     var phi_705_: vec3<f32>;
     var phi_804_: vec3<f32>;
-    var phi_992_: f32;
-    var phi_996_: bool;
-    var phi_997_: bool;
+    var phi_988_: f32;
+    var phi_992_: bool;
+    var phi_993_: bool;
 
     let _e42 = at_1;
     let _e43 = triangle_1;
@@ -586,60 +586,60 @@ fn function_() {
     }
     let _e373 = materials.member[(0u + _e366[0].material)].flags;
     if ((_e373 & 1u) == 0u) {
-        phi_997_ = false;
+        phi_993_ = false;
     } else {
         let _e377 = materials.member[(0u + _e366[0].material)].cutoff;
         if (_e377 <= 0f) {
-            phi_996_ = true;
+            phi_992_ = true;
         } else {
             let _e381 = materials.member[(0u + _e366[0].material)].base_color[3u];
-            let _e411 = (_e381 * ((((f32((_e366[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e349.x) + ((f32((_e366[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e349.y)) + ((f32((_e366[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e349.z)));
-            let _e413 = materials.member[(0u + _e366[0].material)].alpha_size;
-            if (_e413 == 0u) {
-                phi_992_ = _e411;
+            let _e407 = (_e381 * ((((f32((_e366[0].color >> bitcast<u32>(24i))) * _e349.x) + (f32((_e366[1].color >> bitcast<u32>(24i))) * _e349.y)) + (f32((_e366[2].color >> bitcast<u32>(24i))) * _e349.z)) * (1f / 255f)));
+            let _e409 = materials.member[(0u + _e366[0].material)].alpha_size;
+            if (_e409 == 0u) {
+                phi_988_ = _e407;
             } else {
-                let _e416 = materials.member[(0u + _e366[0].material)].alpha_offset;
-                let _e418 = materials.member[(0u + _e366[0].material)].alpha_size;
-                let _e420 = materials.member[(0u + _e366[0].material)].flags;
-                local.offset = _e416;
-                local.size = _e418;
-                local.flags = _e420;
-                let _e449 = _lt_shaders_texture_TextureView_quad((&local), (((_e366[0].u * _e349.x) + (_e366[1].u * _e349.y)) + (_e366[2].u * _e349.z)), (((_e366[0].v * _e349.x) + (_e366[1].v * _e349.y)) + (_e366[2].v * _e349.z)));
-                let _e453 = (_e449.indices[0] >> bitcast<u32>(2i));
-                if (_e453 < _e60) {
+                let _e412 = materials.member[(0u + _e366[0].material)].alpha_offset;
+                let _e414 = materials.member[(0u + _e366[0].material)].alpha_size;
+                let _e416 = materials.member[(0u + _e366[0].material)].flags;
+                local.offset = _e412;
+                local.size = _e414;
+                local.flags = _e416;
+                let _e445 = _lt_shaders_texture_TextureView_quad((&local), (((_e366[0].u * _e349.x) + (_e366[1].u * _e349.y)) + (_e366[2].u * _e349.z)), (((_e366[0].v * _e349.x) + (_e366[1].v * _e349.y)) + (_e366[2].v * _e349.z)));
+                let _e449 = (_e445.indices[0] >> bitcast<u32>(2i));
+                if (_e449 < _e60) {
                 } else {
                     return;
                 }
-                let _e457 = alpha_texels.member[(0u + _e453)];
-                let _e473 = (_e449.indices[1] >> bitcast<u32>(2i));
-                if (_e473 < _e60) {
+                let _e453 = alpha_texels.member[(0u + _e449)];
+                let _e469 = (_e445.indices[1] >> bitcast<u32>(2i));
+                if (_e469 < _e60) {
                 } else {
                     return;
                 }
-                let _e477 = alpha_texels.member[(0u + _e473)];
-                let _e494 = (_e449.indices[2] >> bitcast<u32>(2i));
-                if (_e494 < _e60) {
+                let _e473 = alpha_texels.member[(0u + _e469)];
+                let _e490 = (_e445.indices[2] >> bitcast<u32>(2i));
+                if (_e490 < _e60) {
                 } else {
                     return;
                 }
-                let _e498 = alpha_texels.member[(0u + _e494)];
-                let _e515 = (_e449.indices[3] >> bitcast<u32>(2i));
-                if (_e515 < _e60) {
+                let _e494 = alpha_texels.member[(0u + _e490)];
+                let _e511 = (_e445.indices[3] >> bitcast<u32>(2i));
+                if (_e511 < _e60) {
                 } else {
                     return;
                 }
-                let _e519 = alpha_texels.member[(0u + _e515)];
-                phi_992_ = (_e411 * (((((f32(((_e457 >> bitcast<u32>((((_e449.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e449.weights.x) + ((f32(((_e477 >> bitcast<u32>((((_e449.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e449.weights.y)) + ((f32(((_e498 >> bitcast<u32>((((_e449.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e449.weights.z)) + ((f32(((_e519 >> bitcast<u32>((((_e449.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e449.weights.w)));
+                let _e515 = alpha_texels.member[(0u + _e511)];
+                phi_988_ = (_e407 * (((((f32(((_e453 >> bitcast<u32>((((_e445.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e445.weights.x) + ((f32(((_e473 >> bitcast<u32>((((_e445.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e445.weights.y)) + ((f32(((_e494 >> bitcast<u32>((((_e445.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e445.weights.z)) + ((f32(((_e515 >> bitcast<u32>((((_e445.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e445.weights.w)));
             }
-            let _e535 = phi_992_;
-            let _e537 = materials.member[(0u + _e366[0].material)].cutoff;
-            phi_996_ = (_e535 >= _e537);
+            let _e531 = phi_988_;
+            let _e533 = materials.member[(0u + _e366[0].material)].cutoff;
+            phi_992_ = (_e531 >= _e533);
         }
-        let _e540 = phi_996_;
-        phi_997_ = _e540;
+        let _e536 = phi_992_;
+        phi_993_ = _e536;
     }
-    let _e542 = phi_997_;
-    if _e542 {
+    let _e538 = phi_993_;
+    if _e538 {
     } else {
         spirv_std_arch_kill();
     }

@@ -114,63 +114,49 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_negative(param_4: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_416_: bool;
-    var phi_420_: f32;
-    var phi_421_: f32;
+    var phi_403_: bool;
+    var phi_407_: f32;
 
     let _e48 = (*param_4).negative_exponent;
-    if ((bitcast<u32>(_e48) & 2147483647u) > 2139095040u) {
-        phi_421_ = _e48;
+    if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
+        phi_403_ = true;
     } else {
-        if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-            phi_416_ = true;
-        } else {
-            let _e55 = (42f < _e48);
-            if _e55 {
-            }
-            phi_416_ = _e55;
+        let _e52 = (42f < _e48);
+        if _e52 {
         }
-        let _e57 = phi_416_;
-        if _e57 {
-            phi_420_ = 42f;
-        } else {
-            phi_420_ = _e48;
-        }
-        let _e59 = phi_420_;
-        phi_421_ = _e59;
+        phi_403_ = _e52;
     }
-    let _e61 = phi_421_;
-    return _e61;
+    let _e54 = phi_403_;
+    if _e54 {
+        phi_407_ = 42f;
+    } else {
+        phi_407_ = _e48;
+    }
+    let _e56 = phi_407_;
+    return _e56;
 }
 
 fn _lt_math_evsm_Evsm_positive(param_5: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_390_: bool;
-    var phi_394_: f32;
-    var phi_395_: f32;
+    var phi_384_: bool;
+    var phi_388_: f32;
 
     let _e48 = (*param_5).positive_exponent;
-    if ((bitcast<u32>(_e48) & 2147483647u) > 2139095040u) {
-        phi_395_ = _e48;
+    if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
+        phi_384_ = true;
     } else {
-        if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-            phi_390_ = true;
-        } else {
-            let _e55 = (42f < _e48);
-            if _e55 {
-            }
-            phi_390_ = _e55;
+        let _e52 = (42f < _e48);
+        if _e52 {
         }
-        let _e57 = phi_390_;
-        if _e57 {
-            phi_394_ = 42f;
-        } else {
-            phi_394_ = _e48;
-        }
-        let _e59 = phi_394_;
-        phi_395_ = _e59;
+        phi_384_ = _e52;
     }
-    let _e61 = phi_395_;
-    return _e61;
+    let _e54 = phi_384_;
+    if _e54 {
+        phi_388_ = 42f;
+    } else {
+        phi_388_ = _e48;
+    }
+    let _e56 = phi_388_;
+    return _e56;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6: ptr<function, lt_math_Evsm>, param_7: f32) -> vec4<f32> {
@@ -325,194 +311,173 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_8: ptr<function, lt_math_Evsm>, param_9: vec4<f32>, param_10: f32) -> f32 {
-    var phi_941_: bool;
-    var phi_945_: f32;
-    var phi_946_: f32;
-    var phi_958_: bool;
-    var phi_965_: f32;
-    var phi_996_: bool;
-    var phi_1000_: f32;
-    var phi_1001_: f32;
-    var phi_1013_: bool;
-    var phi_1020_: f32;
-    var phi_1037_: bool;
-    var phi_1041_: f32;
-    var phi_1042_: f32;
-    var phi_1057_: f32;
-    var phi_1058_: f32;
-    var phi_1059_: f32;
+    var phi_921_: bool;
+    var phi_925_: f32;
+    var phi_937_: bool;
+    var phi_944_: f32;
+    var phi_969_: bool;
+    var phi_973_: f32;
+    var phi_985_: bool;
+    var phi_992_: f32;
+    var phi_1003_: bool;
+    var phi_1007_: f32;
+    var phi_1022_: f32;
+    var phi_1023_: f32;
+    var phi_1024_: f32;
 
     let _e49 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_8, param_10);
     let _e50 = _lt_math_evsm_Evsm_positive(param_8);
     let _e52 = (*param_8).min_variance;
     let _e56 = (((_e52 * _e50) * _e50) * _e49.y);
     let _e63 = ((param_9.y - (param_9.x * param_9.x)) + (0.00000047683716f * param_9.y));
-    if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
-        phi_946_ = _e63;
+    if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
+        phi_921_ = true;
     } else {
-        if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
-            phi_941_ = true;
-        } else {
-            let _e70 = (_e56 > _e63);
-            if _e70 {
-            }
-            phi_941_ = _e70;
+        let _e67 = (_e56 > _e63);
+        if _e67 {
         }
-        let _e72 = phi_941_;
-        if _e72 {
-            phi_945_ = _e56;
-        } else {
-            phi_945_ = _e63;
-        }
-        let _e74 = phi_945_;
-        phi_946_ = _e74;
+        phi_921_ = _e67;
     }
-    let _e76 = phi_946_;
-    let _e77 = (_e49.x - param_9.x);
-    if (_e77 <= 0f) {
-        let _e81 = ((bitcast<u32>(_e76) & 2147483647u) > 2139095040u);
-        if _e81 {
+    let _e69 = phi_921_;
+    if _e69 {
+        phi_925_ = _e56;
+    } else {
+        phi_925_ = _e63;
+    }
+    let _e71 = phi_925_;
+    let _e72 = (_e49.x - param_9.x);
+    if (_e72 <= 0f) {
+        let _e76 = ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u);
+        if _e76 {
         }
-        phi_958_ = _e81;
+        phi_937_ = _e76;
     } else {
-        phi_958_ = true;
+        phi_937_ = true;
     }
-    let _e83 = phi_958_;
-    if _e83 {
-        phi_965_ = (_e76 / (_e76 + (_e77 * _e77)));
+    let _e78 = phi_937_;
+    if _e78 {
+        phi_944_ = (_e71 / (_e71 + (_e72 * _e72)));
     } else {
-        phi_965_ = 1f;
+        phi_944_ = 1f;
     }
-    let _e88 = phi_965_;
-    let _e89 = _lt_math_evsm_Evsm_negative(param_8);
-    let _e91 = (*param_8).min_variance;
-    let _e95 = (((_e91 * _e89) * _e89) * _e49.w);
-    let _e102 = ((param_9.w - (param_9.z * param_9.z)) + (0.00000047683716f * param_9.w));
-    if ((bitcast<u32>(_e102) & 2147483647u) > 2139095040u) {
-        phi_1001_ = _e102;
+    let _e83 = phi_944_;
+    let _e84 = _lt_math_evsm_Evsm_negative(param_8);
+    let _e86 = (*param_8).min_variance;
+    let _e90 = (((_e86 * _e84) * _e84) * _e49.w);
+    let _e97 = ((param_9.w - (param_9.z * param_9.z)) + (0.00000047683716f * param_9.w));
+    if ((bitcast<u32>(_e90) & 2147483647u) > 2139095040u) {
+        phi_969_ = true;
     } else {
-        if ((bitcast<u32>(_e95) & 2147483647u) > 2139095040u) {
-            phi_996_ = true;
+        let _e101 = (_e90 > _e97);
+        if _e101 {
+        }
+        phi_969_ = _e101;
+    }
+    let _e103 = phi_969_;
+    if _e103 {
+        phi_973_ = _e90;
+    } else {
+        phi_973_ = _e97;
+    }
+    let _e105 = phi_973_;
+    let _e106 = (_e49.z - param_9.z);
+    if (_e106 <= 0f) {
+        let _e110 = ((bitcast<u32>(_e105) & 2147483647u) > 2139095040u);
+        if _e110 {
+        }
+        phi_985_ = _e110;
+    } else {
+        phi_985_ = true;
+    }
+    let _e112 = phi_985_;
+    if _e112 {
+        phi_992_ = (_e105 / (_e105 + (_e106 * _e106)));
+    } else {
+        phi_992_ = 1f;
+    }
+    let _e117 = phi_992_;
+    if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
+        phi_1003_ = true;
+    } else {
+        let _e121 = (_e117 < _e83);
+        if _e121 {
+        }
+        phi_1003_ = _e121;
+    }
+    let _e123 = phi_1003_;
+    if _e123 {
+        phi_1007_ = _e117;
+    } else {
+        phi_1007_ = _e83;
+    }
+    let _e125 = phi_1007_;
+    if ((bitcast<u32>(_e125) & 2147483647u) > 2139095040u) {
+        phi_1024_ = _e125;
+    } else {
+        if (_e125 < 0f) {
+            phi_1023_ = 0f;
         } else {
-            let _e109 = (_e95 > _e102);
-            if _e109 {
-            }
-            phi_996_ = _e109;
-        }
-        let _e111 = phi_996_;
-        if _e111 {
-            phi_1000_ = _e95;
-        } else {
-            phi_1000_ = _e102;
-        }
-        let _e113 = phi_1000_;
-        phi_1001_ = _e113;
-    }
-    let _e115 = phi_1001_;
-    let _e116 = (_e49.z - param_9.z);
-    if (_e116 <= 0f) {
-        let _e120 = ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u);
-        if _e120 {
-        }
-        phi_1013_ = _e120;
-    } else {
-        phi_1013_ = true;
-    }
-    let _e122 = phi_1013_;
-    if _e122 {
-        phi_1020_ = (_e115 / (_e115 + (_e116 * _e116)));
-    } else {
-        phi_1020_ = 1f;
-    }
-    let _e127 = phi_1020_;
-    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
-        phi_1042_ = _e88;
-    } else {
-        if ((bitcast<u32>(_e127) & 2147483647u) > 2139095040u) {
-            phi_1037_ = true;
-        } else {
-            let _e134 = (_e127 < _e88);
-            if _e134 {
-            }
-            phi_1037_ = _e134;
-        }
-        let _e136 = phi_1037_;
-        if _e136 {
-            phi_1041_ = _e127;
-        } else {
-            phi_1041_ = _e88;
-        }
-        let _e138 = phi_1041_;
-        phi_1042_ = _e138;
-    }
-    let _e140 = phi_1042_;
-    if ((bitcast<u32>(_e140) & 2147483647u) > 2139095040u) {
-        phi_1059_ = _e140;
-    } else {
-        if (_e140 < 0f) {
-            phi_1058_ = 0f;
-        } else {
-            if (_e140 > 1f) {
-                phi_1057_ = 1f;
+            if (_e125 > 1f) {
+                phi_1022_ = 1f;
             } else {
-                phi_1057_ = _e140;
+                phi_1022_ = _e125;
             }
-            let _e147 = phi_1057_;
-            phi_1058_ = _e147;
+            let _e132 = phi_1022_;
+            phi_1023_ = _e132;
         }
-        let _e149 = phi_1058_;
-        phi_1059_ = _e149;
+        let _e134 = phi_1023_;
+        phi_1024_ = _e134;
     }
-    let _e151 = phi_1059_;
-    return _e151;
+    let _e136 = phi_1024_;
+    return _e136;
 }
 
 fn function_() {
     var local: lt_math_Evsm;
-    var phi_475_: bool;
-    var phi_476_: bool;
-    var phi_477_: bool;
-    var phi_478_: bool;
-    var phi_482_: bool;
-    var phi_526_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_530_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_607_: bool;
+    var phi_461_: bool;
+    var phi_462_: bool;
+    var phi_463_: bool;
+    var phi_464_: bool;
+    var phi_468_: bool;
+    var phi_512_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_516_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_593_: bool;
+    var phi_602_: bool;
+    var phi_611_: bool;
+    var phi_612_: bool;
+    var phi_613_: bool;
+    var phi_614_: bool;
+    var phi_615_: bool;
     var phi_616_: bool;
-    var phi_625_: bool;
-    var phi_626_: bool;
-    var phi_627_: bool;
-    var phi_628_: bool;
-    var phi_629_: bool;
-    var phi_630_: bool;
-    var phi_631_: bool;
-    var phi_635_: bool;
-    var phi_671_: f32;
-    var phi_676_: f32;
-    var phi_677_: bool;
-    var phi_678_: f32;
-    var phi_679_: bool;
-    var phi_683_: f32;
-    var phi_703_: f32;
-    var phi_708_: f32;
-    var phi_709_: bool;
-    var phi_710_: f32;
-    var phi_711_: bool;
-    var phi_715_: f32;
-    var phi_765_: i32;
-    var phi_770_: i32;
+    var phi_617_: bool;
+    var phi_621_: bool;
+    var phi_657_: f32;
+    var phi_662_: f32;
+    var phi_663_: bool;
+    var phi_664_: f32;
+    var phi_665_: bool;
+    var phi_669_: f32;
+    var phi_689_: f32;
+    var phi_694_: f32;
+    var phi_695_: bool;
+    var phi_696_: f32;
+    var phi_697_: bool;
+    var phi_701_: f32;
+    var phi_751_: i32;
+    var phi_756_: i32;
+    var phi_761_: i32;
+    var phi_766_: i32;
     var phi_775_: i32;
     var phi_780_: i32;
-    var phi_789_: i32;
-    var phi_794_: i32;
-    var phi_799_: i32;
-    var phi_804_: i32;
-    var phi_889_: evaluate_Verdict;
-    var phi_890_: evaluate_Verdict;
-    var phi_891_: bool;
-    var phi_892_: evaluate_Verdict;
-    var phi_893_: evaluate_Verdict;
-    var phi_894_: bool;
-    var phi_898_: evaluate_Verdict;
+    var phi_785_: i32;
+    var phi_790_: i32;
+    var phi_875_: evaluate_Verdict;
+    var phi_876_: evaluate_Verdict;
+    var phi_877_: bool;
+    var phi_878_: evaluate_Verdict;
+    var phi_879_: evaluate_Verdict;
+    var phi_880_: bool;
+    var phi_884_: evaluate_Verdict;
 
     let _e47 = id_1;
     let _e54 = arrayLength((&map.member));
@@ -533,28 +498,28 @@ fn function_() {
             if (_e80 == _e82) {
                 let _e85 = samples.member[(0u + _e63.first_primitive)].normal[2u];
                 let _e87 = global[2u];
-                phi_475_ = (_e85 == _e87);
-                phi_476_ = false;
+                phi_461_ = (_e85 == _e87);
+                phi_462_ = false;
             } else {
-                phi_475_ = bool();
-                phi_476_ = true;
+                phi_461_ = bool();
+                phi_462_ = true;
             }
-            let _e90 = phi_475_;
-            let _e92 = phi_476_;
-            phi_477_ = _e90;
-            phi_478_ = _e92;
+            let _e90 = phi_461_;
+            let _e92 = phi_462_;
+            phi_463_ = _e90;
+            phi_464_ = _e92;
         } else {
-            phi_477_ = bool();
-            phi_478_ = true;
+            phi_463_ = bool();
+            phi_464_ = true;
         }
-        let _e94 = phi_477_;
-        let _e96 = phi_478_;
+        let _e94 = phi_463_;
+        let _e96 = phi_464_;
         if _e96 {
-            phi_482_ = false;
+            phi_468_ = false;
         } else {
-            phi_482_ = _e94;
+            phi_468_ = _e94;
         }
-        let _e98 = phi_482_;
+        let _e98 = phi_468_;
         if !(_e98) {
             let _e101 = samples.member[(0u + _e63.first_primitive)].normal;
             let _e103 = samples.member[(0u + _e63.first_primitive)].position;
@@ -562,24 +527,24 @@ fn function_() {
                 let _e127 = samples.member[(0u + _e63.first_primitive)].flags;
                 let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_526_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
+                phi_512_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
             } else {
                 let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_526_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
+                phi_512_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
             }
-            let _e161 = phi_526_;
-            phi_530_ = _e161;
+            let _e161 = phi_512_;
+            phi_516_ = _e161;
         } else {
             let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_530_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
+            phi_516_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
         }
-        let _e178 = phi_530_;
+        let _e178 = phi_516_;
         if _e178.unnamed_1 {
-            phi_892_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
-            phi_893_ = evaluate_Verdict();
-            phi_894_ = true;
+            phi_878_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
+            phi_879_ = evaluate_Verdict();
+            phi_880_ = true;
         } else {
             let _e186 = samples.member[(0u + _e63.first_primitive)].position;
             let _e192 = p.member.projection.row_w;
@@ -592,55 +557,55 @@ fn function_() {
             let _e244 = ((((_e233.x * _e186.x) + (_e233.y * _e186.y)) + (_e233.z * _e186.z)) + (_e233.w * 1f));
             if (_e203 > 0f) {
                 if (_e217 >= 0f) {
-                    phi_607_ = (_e217 <= 1f);
+                    phi_593_ = (_e217 <= 1f);
                 } else {
-                    phi_607_ = false;
+                    phi_593_ = false;
                 }
-                let _e249 = phi_607_;
+                let _e249 = phi_593_;
                 if _e249 {
                     if (_e231 >= 0f) {
-                        phi_616_ = (_e231 <= 1f);
+                        phi_602_ = (_e231 <= 1f);
                     } else {
-                        phi_616_ = false;
+                        phi_602_ = false;
                     }
-                    let _e253 = phi_616_;
+                    let _e253 = phi_602_;
                     if _e253 {
                         if (_e244 >= 0f) {
-                            phi_625_ = (_e244 <= 1f);
+                            phi_611_ = (_e244 <= 1f);
                         } else {
-                            phi_625_ = false;
+                            phi_611_ = false;
                         }
-                        let _e257 = phi_625_;
-                        phi_626_ = _e257;
-                        phi_627_ = false;
+                        let _e257 = phi_611_;
+                        phi_612_ = _e257;
+                        phi_613_ = false;
                     } else {
-                        phi_626_ = bool();
-                        phi_627_ = true;
+                        phi_612_ = bool();
+                        phi_613_ = true;
                     }
-                    let _e259 = phi_626_;
-                    let _e261 = phi_627_;
-                    phi_628_ = _e259;
-                    phi_629_ = _e261;
+                    let _e259 = phi_612_;
+                    let _e261 = phi_613_;
+                    phi_614_ = _e259;
+                    phi_615_ = _e261;
                 } else {
-                    phi_628_ = bool();
-                    phi_629_ = true;
+                    phi_614_ = bool();
+                    phi_615_ = true;
                 }
-                let _e263 = phi_628_;
-                let _e265 = phi_629_;
-                phi_630_ = _e263;
-                phi_631_ = _e265;
+                let _e263 = phi_614_;
+                let _e265 = phi_615_;
+                phi_616_ = _e263;
+                phi_617_ = _e265;
             } else {
-                phi_630_ = bool();
-                phi_631_ = true;
+                phi_616_ = bool();
+                phi_617_ = true;
             }
-            let _e267 = phi_630_;
-            let _e269 = phi_631_;
+            let _e267 = phi_616_;
+            let _e269 = phi_617_;
             if _e269 {
-                phi_635_ = false;
+                phi_621_ = false;
             } else {
-                phi_635_ = _e267;
+                phi_621_ = _e267;
             }
-            let _e271 = phi_635_;
+            let _e271 = phi_621_;
             if _e271 {
                 let _e273 = p.member.map_size;
                 let _e274 = f32(_e273);
@@ -649,65 +614,65 @@ fn function_() {
                 if (_e277 > -8388608f) {
                     let _e290 = f32(select(0i, select(select(i32(_e277), i32(-2147483648), (_e277 < bitcast<f32>(3472883712u))), 2147483647i, (_e277 > bitcast<f32>(1325400063u))), (_e277 == _e277)));
                     if (_e290 > _e277) {
-                        phi_671_ = 1f;
+                        phi_657_ = 1f;
                     } else {
-                        phi_671_ = 0f;
+                        phi_657_ = 0f;
                     }
-                    let _e293 = phi_671_;
+                    let _e293 = phi_657_;
                     if (_e277 < 8388608f) {
-                        phi_676_ = (_e290 - _e293);
-                        phi_677_ = false;
+                        phi_662_ = (_e290 - _e293);
+                        phi_663_ = false;
                     } else {
-                        phi_676_ = f32();
-                        phi_677_ = true;
+                        phi_662_ = f32();
+                        phi_663_ = true;
                     }
-                    let _e296 = phi_676_;
-                    let _e298 = phi_677_;
-                    phi_678_ = _e296;
-                    phi_679_ = _e298;
+                    let _e296 = phi_662_;
+                    let _e298 = phi_663_;
+                    phi_664_ = _e296;
+                    phi_665_ = _e298;
                 } else {
-                    phi_678_ = f32();
-                    phi_679_ = true;
+                    phi_664_ = f32();
+                    phi_665_ = true;
                 }
-                let _e300 = phi_678_;
-                let _e302 = phi_679_;
+                let _e300 = phi_664_;
+                let _e302 = phi_665_;
                 if _e302 {
-                    phi_683_ = _e277;
+                    phi_669_ = _e277;
                 } else {
-                    phi_683_ = _e300;
+                    phi_669_ = _e300;
                 }
-                let _e304 = phi_683_;
+                let _e304 = phi_669_;
                 if (_e278 > -8388608f) {
                     let _e316 = f32(select(0i, select(select(i32(_e278), i32(-2147483648), (_e278 < bitcast<f32>(3472883712u))), 2147483647i, (_e278 > bitcast<f32>(1325400063u))), (_e278 == _e278)));
                     if (_e316 > _e278) {
-                        phi_703_ = 1f;
+                        phi_689_ = 1f;
                     } else {
-                        phi_703_ = 0f;
+                        phi_689_ = 0f;
                     }
-                    let _e319 = phi_703_;
+                    let _e319 = phi_689_;
                     if (_e278 < 8388608f) {
-                        phi_708_ = (_e316 - _e319);
-                        phi_709_ = false;
+                        phi_694_ = (_e316 - _e319);
+                        phi_695_ = false;
                     } else {
-                        phi_708_ = f32();
-                        phi_709_ = true;
+                        phi_694_ = f32();
+                        phi_695_ = true;
                     }
-                    let _e322 = phi_708_;
-                    let _e324 = phi_709_;
-                    phi_710_ = _e322;
-                    phi_711_ = _e324;
+                    let _e322 = phi_694_;
+                    let _e324 = phi_695_;
+                    phi_696_ = _e322;
+                    phi_697_ = _e324;
                 } else {
-                    phi_710_ = f32();
-                    phi_711_ = true;
+                    phi_696_ = f32();
+                    phi_697_ = true;
                 }
-                let _e326 = phi_710_;
-                let _e328 = phi_711_;
+                let _e326 = phi_696_;
+                let _e328 = phi_697_;
                 if _e328 {
-                    phi_715_ = _e278;
+                    phi_701_ = _e278;
                 } else {
-                    phi_715_ = _e326;
+                    phi_701_ = _e326;
                 }
-                let _e330 = phi_715_;
+                let _e330 = phi_701_;
                 let _e331 = (_e277 - _e304);
                 let _e332 = (_e278 - _e330);
                 let _e341 = select(0i, select(select(i32(_e304), i32(-2147483648), (_e304 < bitcast<f32>(3472883712u))), 2147483647i, (_e304 > bitcast<f32>(1325400063u))), (_e304 == _e304));
@@ -722,56 +687,56 @@ fn function_() {
                 local = lt_math_Evsm(_e361.positive_exponent, _e361.negative_exponent, _e361.min_variance);
                 let _e369 = (bitcast<i32>(_e363) - 1i);
                 if (_e341 > 0i) {
-                    phi_765_ = _e341;
+                    phi_751_ = _e341;
                 } else {
-                    phi_765_ = 0i;
+                    phi_751_ = 0i;
                 }
-                let _e372 = phi_765_;
+                let _e372 = phi_751_;
                 if (_e350 > 0i) {
-                    phi_770_ = _e350;
+                    phi_756_ = _e350;
                 } else {
-                    phi_770_ = 0i;
+                    phi_756_ = 0i;
                 }
-                let _e375 = phi_770_;
+                let _e375 = phi_756_;
                 if (_e372 < _e369) {
-                    phi_775_ = _e372;
+                    phi_761_ = _e372;
                 } else {
-                    phi_775_ = _e369;
+                    phi_761_ = _e369;
                 }
-                let _e378 = phi_775_;
+                let _e378 = phi_761_;
                 if (_e375 < _e369) {
-                    phi_780_ = _e375;
+                    phi_766_ = _e375;
                 } else {
-                    phi_780_ = _e369;
+                    phi_766_ = _e369;
                 }
-                let _e381 = phi_780_;
+                let _e381 = phi_766_;
                 let _e382 = bitcast<u32>(_e378);
                 let _e384 = (_e341 + 1i);
                 let _e385 = (_e350 + 1i);
                 if (_e384 > 0i) {
-                    phi_789_ = _e384;
+                    phi_775_ = _e384;
                 } else {
-                    phi_789_ = 0i;
+                    phi_775_ = 0i;
                 }
-                let _e388 = phi_789_;
+                let _e388 = phi_775_;
                 if (_e385 > 0i) {
-                    phi_794_ = _e385;
+                    phi_780_ = _e385;
                 } else {
-                    phi_794_ = 0i;
+                    phi_780_ = 0i;
                 }
-                let _e391 = phi_794_;
+                let _e391 = phi_780_;
                 if (_e388 < _e369) {
-                    phi_799_ = _e388;
+                    phi_785_ = _e388;
                 } else {
-                    phi_799_ = _e369;
+                    phi_785_ = _e369;
                 }
-                let _e394 = phi_799_;
+                let _e394 = phi_785_;
                 if (_e391 < _e369) {
-                    phi_804_ = _e391;
+                    phi_790_ = _e391;
                 } else {
-                    phi_804_ = _e369;
+                    phi_790_ = _e369;
                 }
-                let _e397 = phi_804_;
+                let _e397 = phi_790_;
                 let _e398 = bitcast<u32>(_e394);
                 let _e400 = (bitcast<u32>(_e381) * _e363);
                 let _e401 = (bitcast<u32>(_e397) * _e363);
@@ -800,30 +765,30 @@ fn function_() {
                 }
                 let _e453 = map.member[(0u + _e405)];
                 let _e467 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e409.x * _e353) + (_e421.x * _e355)) + (_e437.x * _e357)) + (_e453.x * _e358)), ((((_e409.y * _e353) + (_e421.y * _e355)) + (_e437.y * _e357)) + (_e453.y * _e358)), ((((_e409.z * _e353) + (_e421.z * _e355)) + (_e437.z * _e357)) + (_e453.z * _e358)), ((((_e409.w * _e353) + (_e421.w * _e355)) + (_e437.w * _e357)) + (_e453.w * _e358))), _e244);
-                phi_889_ = evaluate_Verdict(_e467, false);
-                phi_890_ = evaluate_Verdict();
-                phi_891_ = false;
+                phi_875_ = evaluate_Verdict(_e467, false);
+                phi_876_ = evaluate_Verdict();
+                phi_877_ = false;
             } else {
-                phi_889_ = evaluate_Verdict();
-                phi_890_ = evaluate_Verdict(1f, false);
-                phi_891_ = true;
+                phi_875_ = evaluate_Verdict();
+                phi_876_ = evaluate_Verdict(1f, false);
+                phi_877_ = true;
             }
-            let _e471 = phi_889_;
-            let _e473 = phi_890_;
-            let _e475 = phi_891_;
-            phi_892_ = _e473;
-            phi_893_ = _e471;
-            phi_894_ = _e475;
+            let _e471 = phi_875_;
+            let _e473 = phi_876_;
+            let _e475 = phi_877_;
+            phi_878_ = _e473;
+            phi_879_ = _e471;
+            phi_880_ = _e475;
         }
-        let _e477 = phi_892_;
-        let _e479 = phi_893_;
-        let _e481 = phi_894_;
+        let _e477 = phi_878_;
+        let _e479 = phi_879_;
+        let _e481 = phi_880_;
         if _e481 {
-            phi_898_ = _e477;
+            phi_884_ = _e477;
         } else {
-            phi_898_ = _e479;
+            phi_884_ = _e479;
         }
-        let _e483 = phi_898_;
+        let _e483 = phi_884_;
         if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;

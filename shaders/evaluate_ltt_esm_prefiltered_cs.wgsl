@@ -120,192 +120,185 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_190_: bool;
-    var phi_194_: f32;
-    var phi_195_: f32;
+    var phi_184_: bool;
+    var phi_188_: f32;
 
     let _e50 = (*param_4);
-    if ((bitcast<u32>(_e50) & 2147483647u) > 2139095040u) {
-        phi_195_ = _e50;
+    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
+        phi_184_ = true;
     } else {
-        if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-            phi_190_ = true;
-        } else {
-            let _e57 = (84f < _e50);
-            if _e57 {
-            }
-            phi_190_ = _e57;
+        let _e54 = (84f < _e50);
+        if _e54 {
         }
-        let _e59 = phi_190_;
-        if _e59 {
-            phi_194_ = 84f;
-        } else {
-            phi_194_ = _e50;
-        }
-        let _e61 = phi_194_;
-        phi_195_ = _e61;
+        phi_184_ = _e54;
     }
-    let _e63 = phi_195_;
-    return _e63;
+    let _e56 = phi_184_;
+    if _e56 {
+        phi_188_ = 84f;
+    } else {
+        phi_188_ = _e50;
+    }
+    let _e58 = phi_188_;
+    return _e58;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_214_: f32;
-    var phi_215_: f32;
-    var phi_216_: f32;
-    var phi_231_: f32;
-    var phi_236_: f32;
+    var phi_207_: f32;
+    var phi_208_: f32;
+    var phi_209_: f32;
+    var phi_224_: f32;
+    var phi_229_: f32;
+    var phi_251_: f32;
+    var phi_256_: f32;
+    var phi_257_: bool;
     var phi_258_: f32;
+    var phi_259_: bool;
     var phi_263_: f32;
-    var phi_264_: bool;
-    var phi_265_: f32;
-    var phi_266_: bool;
-    var phi_270_: f32;
-    var phi_308_: f32;
-    var phi_324_: f32;
-    var phi_325_: f32;
-    var phi_326_: f32;
+    var phi_301_: f32;
+    var phi_317_: f32;
+    var phi_318_: f32;
+    var phi_319_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_216_ = param_7;
+        phi_209_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_215_ = 0f;
+            phi_208_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_214_ = 1f;
+                phi_207_ = 1f;
             } else {
-                phi_214_ = param_7;
+                phi_207_ = param_7;
             }
-            let _e58 = phi_214_;
-            phi_215_ = _e58;
+            let _e58 = phi_207_;
+            phi_208_ = _e58;
         }
-        let _e60 = phi_215_;
-        phi_216_ = _e60;
+        let _e60 = phi_208_;
+        phi_209_ = _e60;
     }
-    let _e62 = phi_216_;
+    let _e62 = phi_209_;
     let _e64 = _lt_math_esm_Esm_clamped_exponent(param_5);
     let _e66 = (_e64 * (1f - _e62));
     if ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u) {
-        phi_308_ = _e66;
+        phi_301_ = _e66;
     } else {
         if (_e66 < -87f) {
-            phi_231_ = -87f;
+            phi_224_ = -87f;
         } else {
-            phi_231_ = _e66;
+            phi_224_ = _e66;
         }
-        let _e72 = phi_231_;
+        let _e72 = phi_224_;
         if (_e72 > 88f) {
-            phi_236_ = 88f;
+            phi_229_ = 88f;
         } else {
-            phi_236_ = _e72;
+            phi_229_ = _e72;
         }
-        let _e75 = phi_236_;
+        let _e75 = phi_229_;
         let _e77 = ((_e75 * 1.442695f) + 0.5f);
         if (_e77 > -8388608f) {
             let _e89 = f32(select(0i, select(select(i32(_e77), i32(-2147483648), (_e77 < bitcast<f32>(3472883712u))), 2147483647i, (_e77 > bitcast<f32>(1325400063u))), (_e77 == _e77)));
             if (_e89 > _e77) {
-                phi_258_ = 1f;
+                phi_251_ = 1f;
             } else {
-                phi_258_ = 0f;
+                phi_251_ = 0f;
             }
-            let _e92 = phi_258_;
+            let _e92 = phi_251_;
             if (_e77 < 8388608f) {
-                phi_263_ = (_e89 - _e92);
-                phi_264_ = false;
+                phi_256_ = (_e89 - _e92);
+                phi_257_ = false;
             } else {
-                phi_263_ = f32();
-                phi_264_ = true;
+                phi_256_ = f32();
+                phi_257_ = true;
             }
-            let _e95 = phi_263_;
-            let _e97 = phi_264_;
-            phi_265_ = _e95;
-            phi_266_ = _e97;
+            let _e95 = phi_256_;
+            let _e97 = phi_257_;
+            phi_258_ = _e95;
+            phi_259_ = _e97;
         } else {
-            phi_265_ = f32();
-            phi_266_ = true;
+            phi_258_ = f32();
+            phi_259_ = true;
         }
-        let _e99 = phi_265_;
-        let _e101 = phi_266_;
+        let _e99 = phi_258_;
+        let _e101 = phi_259_;
         if _e101 {
-            phi_270_ = _e77;
+            phi_263_ = _e77;
         } else {
-            phi_270_ = _e99;
+            phi_263_ = _e99;
         }
-        let _e103 = phi_270_;
+        let _e103 = phi_263_;
         let _e107 = ((_e75 - (_e103 * 0.69314575f)) - (_e103 * 0.0000014286068f));
-        phi_308_ = ((((((((((((((((1f / 5040f) * _e107) + (1f / 720f)) * _e107) + (1f / 120f)) * _e107) + (1f / 24f)) * _e107) + (1f / 6f)) * _e107) + 0.5f) * _e107) + 1f) * _e107) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e103), i32(-2147483648), (_e103 < bitcast<f32>(3472883712u))), 2147483647i, (_e103 > bitcast<f32>(1325400063u))), (_e103 == _e103)) + 127i)) << bitcast<u32>(23i))));
+        phi_301_ = ((((((((((((((((1f / 5040f) * _e107) + (1f / 720f)) * _e107) + (1f / 120f)) * _e107) + (1f / 24f)) * _e107) + (1f / 6f)) * _e107) + 0.5f) * _e107) + 1f) * _e107) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e103), i32(-2147483648), (_e103 < bitcast<f32>(3472883712u))), 2147483647i, (_e103 > bitcast<f32>(1325400063u))), (_e103 == _e103)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e143 = phi_308_;
+    let _e143 = phi_301_;
     let _e144 = (param_6.x * _e143);
     if ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u) {
-        phi_326_ = _e144;
+        phi_319_ = _e144;
     } else {
         if (_e144 < 0f) {
-            phi_325_ = 0f;
+            phi_318_ = 0f;
         } else {
             if (_e144 > 1f) {
-                phi_324_ = 1f;
+                phi_317_ = 1f;
             } else {
-                phi_324_ = _e144;
+                phi_317_ = _e144;
             }
-            let _e151 = phi_324_;
-            phi_325_ = _e151;
+            let _e151 = phi_317_;
+            phi_318_ = _e151;
         }
-        let _e153 = phi_325_;
-        phi_326_ = _e153;
+        let _e153 = phi_318_;
+        phi_319_ = _e153;
     }
-    let _e155 = phi_326_;
+    let _e155 = phi_319_;
     return _e155;
 }
 
 fn function_() {
     var local_1: f32;
+    var phi_373_: bool;
+    var phi_374_: bool;
+    var phi_375_: bool;
+    var phi_376_: bool;
     var phi_380_: bool;
-    var phi_381_: bool;
-    var phi_382_: bool;
-    var phi_383_: bool;
-    var phi_387_: bool;
-    var phi_431_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_435_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_512_: bool;
-    var phi_521_: bool;
-    var phi_530_: bool;
-    var phi_531_: bool;
-    var phi_532_: bool;
+    var phi_424_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_428_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_505_: bool;
+    var phi_514_: bool;
+    var phi_523_: bool;
+    var phi_524_: bool;
+    var phi_525_: bool;
+    var phi_526_: bool;
+    var phi_527_: bool;
+    var phi_528_: bool;
+    var phi_529_: bool;
     var phi_533_: bool;
-    var phi_534_: bool;
-    var phi_535_: bool;
-    var phi_536_: bool;
-    var phi_540_: bool;
+    var phi_569_: f32;
+    var phi_574_: f32;
+    var phi_575_: bool;
     var phi_576_: f32;
+    var phi_577_: bool;
     var phi_581_: f32;
-    var phi_582_: bool;
-    var phi_583_: f32;
-    var phi_584_: bool;
-    var phi_588_: f32;
+    var phi_601_: f32;
+    var phi_606_: f32;
+    var phi_607_: bool;
     var phi_608_: f32;
+    var phi_609_: bool;
     var phi_613_: f32;
-    var phi_614_: bool;
-    var phi_615_: f32;
-    var phi_616_: bool;
-    var phi_620_: f32;
-    var phi_666_: i32;
-    var phi_671_: i32;
-    var phi_676_: i32;
-    var phi_681_: i32;
-    var phi_690_: i32;
-    var phi_695_: i32;
-    var phi_700_: i32;
-    var phi_705_: i32;
-    var phi_796_: bool;
-    var phi_804_: bool;
-    var phi_809_: f32;
-    var phi_812_: evaluate_Verdict;
-    var phi_813_: evaluate_Verdict;
-    var phi_817_: bool;
-    var phi_818_: u32;
-    var phi_824_: u32;
+    var phi_659_: i32;
+    var phi_664_: i32;
+    var phi_669_: i32;
+    var phi_674_: i32;
+    var phi_683_: i32;
+    var phi_688_: i32;
+    var phi_693_: i32;
+    var phi_698_: i32;
+    var phi_789_: bool;
+    var phi_797_: bool;
+    var phi_802_: f32;
+    var phi_805_: evaluate_Verdict;
+    var phi_806_: evaluate_Verdict;
+    var phi_810_: bool;
+    var phi_811_: u32;
+    var phi_817_: u32;
 
     let _e50 = id_1;
     let _e51 = local_2;
@@ -327,28 +320,28 @@ fn function_() {
             if (_e81 == _e83) {
                 let _e86 = samples.member[_e66.first_primitive].normal[2u];
                 let _e88 = global[2u];
-                phi_380_ = (_e86 == _e88);
-                phi_381_ = false;
+                phi_373_ = (_e86 == _e88);
+                phi_374_ = false;
             } else {
-                phi_380_ = bool();
-                phi_381_ = true;
+                phi_373_ = bool();
+                phi_374_ = true;
             }
-            let _e91 = phi_380_;
-            let _e93 = phi_381_;
-            phi_382_ = _e91;
-            phi_383_ = _e93;
+            let _e91 = phi_373_;
+            let _e93 = phi_374_;
+            phi_375_ = _e91;
+            phi_376_ = _e93;
         } else {
-            phi_382_ = bool();
-            phi_383_ = true;
+            phi_375_ = bool();
+            phi_376_ = true;
         }
-        let _e95 = phi_382_;
-        let _e97 = phi_383_;
+        let _e95 = phi_375_;
+        let _e97 = phi_376_;
         if _e97 {
-            phi_387_ = false;
+            phi_380_ = false;
         } else {
-            phi_387_ = _e95;
+            phi_380_ = _e95;
         }
-        let _e99 = phi_387_;
+        let _e99 = phi_380_;
         if !(_e99) {
             let _e102 = samples.member[_e66.first_primitive].normal;
             let _e104 = samples.member[_e66.first_primitive].position;
@@ -356,22 +349,22 @@ fn function_() {
                 let _e128 = samples.member[_e66.first_primitive].flags;
                 let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
-                phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
+                phi_424_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
             } else {
                 let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
-                phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
+                phi_424_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
             }
-            let _e162 = phi_431_;
-            phi_435_ = _e162;
+            let _e162 = phi_424_;
+            phi_428_ = _e162;
         } else {
             let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-            phi_435_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
+            phi_428_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
         }
-        let _e179 = phi_435_;
+        let _e179 = phi_428_;
         if _e179.unnamed_1 {
-            phi_813_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
+            phi_806_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
         } else {
             let _e187 = samples.member[_e66.first_primitive].position;
             let _e193 = p.member.projection.row_w;
@@ -384,55 +377,55 @@ fn function_() {
             let _e245 = ((((_e234.x * _e187.x) + (_e234.y * _e187.y)) + (_e234.z * _e187.z)) + (_e234.w * 1f));
             if (_e204 > 0f) {
                 if (_e218 >= 0f) {
-                    phi_512_ = (_e218 <= 1f);
+                    phi_505_ = (_e218 <= 1f);
                 } else {
-                    phi_512_ = false;
+                    phi_505_ = false;
                 }
-                let _e250 = phi_512_;
+                let _e250 = phi_505_;
                 if _e250 {
                     if (_e232 >= 0f) {
-                        phi_521_ = (_e232 <= 1f);
+                        phi_514_ = (_e232 <= 1f);
                     } else {
-                        phi_521_ = false;
+                        phi_514_ = false;
                     }
-                    let _e254 = phi_521_;
+                    let _e254 = phi_514_;
                     if _e254 {
                         if (_e245 >= 0f) {
-                            phi_530_ = (_e245 <= 1f);
+                            phi_523_ = (_e245 <= 1f);
                         } else {
-                            phi_530_ = false;
+                            phi_523_ = false;
                         }
-                        let _e258 = phi_530_;
-                        phi_531_ = _e258;
-                        phi_532_ = false;
+                        let _e258 = phi_523_;
+                        phi_524_ = _e258;
+                        phi_525_ = false;
                     } else {
-                        phi_531_ = bool();
-                        phi_532_ = true;
+                        phi_524_ = bool();
+                        phi_525_ = true;
                     }
-                    let _e260 = phi_531_;
-                    let _e262 = phi_532_;
-                    phi_533_ = _e260;
-                    phi_534_ = _e262;
+                    let _e260 = phi_524_;
+                    let _e262 = phi_525_;
+                    phi_526_ = _e260;
+                    phi_527_ = _e262;
                 } else {
-                    phi_533_ = bool();
-                    phi_534_ = true;
+                    phi_526_ = bool();
+                    phi_527_ = true;
                 }
-                let _e264 = phi_533_;
-                let _e266 = phi_534_;
-                phi_535_ = _e264;
-                phi_536_ = _e266;
+                let _e264 = phi_526_;
+                let _e266 = phi_527_;
+                phi_528_ = _e264;
+                phi_529_ = _e266;
             } else {
-                phi_535_ = bool();
-                phi_536_ = true;
+                phi_528_ = bool();
+                phi_529_ = true;
             }
-            let _e268 = phi_535_;
-            let _e270 = phi_536_;
+            let _e268 = phi_528_;
+            let _e270 = phi_529_;
             if _e270 {
-                phi_540_ = false;
+                phi_533_ = false;
             } else {
-                phi_540_ = _e268;
+                phi_533_ = _e268;
             }
-            let _e272 = phi_540_;
+            let _e272 = phi_533_;
             if _e272 {
                 let _e274 = p.member.map_size;
                 let _e275 = f32(_e274);
@@ -441,65 +434,65 @@ fn function_() {
                 if (_e278 > -8388608f) {
                     let _e291 = f32(select(0i, select(select(i32(_e278), i32(-2147483648), (_e278 < bitcast<f32>(3472883712u))), 2147483647i, (_e278 > bitcast<f32>(1325400063u))), (_e278 == _e278)));
                     if (_e291 > _e278) {
-                        phi_576_ = 1f;
+                        phi_569_ = 1f;
                     } else {
-                        phi_576_ = 0f;
+                        phi_569_ = 0f;
                     }
-                    let _e294 = phi_576_;
+                    let _e294 = phi_569_;
                     if (_e278 < 8388608f) {
-                        phi_581_ = (_e291 - _e294);
-                        phi_582_ = false;
+                        phi_574_ = (_e291 - _e294);
+                        phi_575_ = false;
                     } else {
-                        phi_581_ = f32();
-                        phi_582_ = true;
+                        phi_574_ = f32();
+                        phi_575_ = true;
                     }
-                    let _e297 = phi_581_;
-                    let _e299 = phi_582_;
-                    phi_583_ = _e297;
-                    phi_584_ = _e299;
+                    let _e297 = phi_574_;
+                    let _e299 = phi_575_;
+                    phi_576_ = _e297;
+                    phi_577_ = _e299;
                 } else {
-                    phi_583_ = f32();
-                    phi_584_ = true;
+                    phi_576_ = f32();
+                    phi_577_ = true;
                 }
-                let _e301 = phi_583_;
-                let _e303 = phi_584_;
+                let _e301 = phi_576_;
+                let _e303 = phi_577_;
                 if _e303 {
-                    phi_588_ = _e278;
+                    phi_581_ = _e278;
                 } else {
-                    phi_588_ = _e301;
+                    phi_581_ = _e301;
                 }
-                let _e305 = phi_588_;
+                let _e305 = phi_581_;
                 if (_e279 > -8388608f) {
                     let _e317 = f32(select(0i, select(select(i32(_e279), i32(-2147483648), (_e279 < bitcast<f32>(3472883712u))), 2147483647i, (_e279 > bitcast<f32>(1325400063u))), (_e279 == _e279)));
                     if (_e317 > _e279) {
-                        phi_608_ = 1f;
+                        phi_601_ = 1f;
                     } else {
-                        phi_608_ = 0f;
+                        phi_601_ = 0f;
                     }
-                    let _e320 = phi_608_;
+                    let _e320 = phi_601_;
                     if (_e279 < 8388608f) {
-                        phi_613_ = (_e317 - _e320);
-                        phi_614_ = false;
+                        phi_606_ = (_e317 - _e320);
+                        phi_607_ = false;
                     } else {
-                        phi_613_ = f32();
-                        phi_614_ = true;
+                        phi_606_ = f32();
+                        phi_607_ = true;
                     }
-                    let _e323 = phi_613_;
-                    let _e325 = phi_614_;
-                    phi_615_ = _e323;
-                    phi_616_ = _e325;
+                    let _e323 = phi_606_;
+                    let _e325 = phi_607_;
+                    phi_608_ = _e323;
+                    phi_609_ = _e325;
                 } else {
-                    phi_615_ = f32();
-                    phi_616_ = true;
+                    phi_608_ = f32();
+                    phi_609_ = true;
                 }
-                let _e327 = phi_615_;
-                let _e329 = phi_616_;
+                let _e327 = phi_608_;
+                let _e329 = phi_609_;
                 if _e329 {
-                    phi_620_ = _e279;
+                    phi_613_ = _e279;
                 } else {
-                    phi_620_ = _e327;
+                    phi_613_ = _e327;
                 }
-                let _e331 = phi_620_;
+                let _e331 = phi_613_;
                 let _e332 = (_e278 - _e305);
                 let _e333 = (_e279 - _e331);
                 let _e342 = select(0i, select(select(i32(_e305), i32(-2147483648), (_e305 < bitcast<f32>(3472883712u))), 2147483647i, (_e305 > bitcast<f32>(1325400063u))), (_e305 == _e305));
@@ -514,56 +507,56 @@ fn function_() {
                 local_1 = _e362;
                 let _e366 = (bitcast<i32>(_e364) - 1i);
                 if (_e342 > 0i) {
-                    phi_666_ = _e342;
+                    phi_659_ = _e342;
                 } else {
-                    phi_666_ = 0i;
+                    phi_659_ = 0i;
                 }
-                let _e369 = phi_666_;
+                let _e369 = phi_659_;
                 if (_e351 > 0i) {
-                    phi_671_ = _e351;
+                    phi_664_ = _e351;
                 } else {
-                    phi_671_ = 0i;
+                    phi_664_ = 0i;
                 }
-                let _e372 = phi_671_;
+                let _e372 = phi_664_;
                 if (_e369 < _e366) {
-                    phi_676_ = _e369;
+                    phi_669_ = _e369;
                 } else {
-                    phi_676_ = _e366;
+                    phi_669_ = _e366;
                 }
-                let _e375 = phi_676_;
+                let _e375 = phi_669_;
                 if (_e372 < _e366) {
-                    phi_681_ = _e372;
+                    phi_674_ = _e372;
                 } else {
-                    phi_681_ = _e366;
+                    phi_674_ = _e366;
                 }
-                let _e378 = phi_681_;
+                let _e378 = phi_674_;
                 let _e379 = bitcast<u32>(_e375);
                 let _e381 = (_e342 + 1i);
                 let _e382 = (_e351 + 1i);
                 if (_e381 > 0i) {
-                    phi_690_ = _e381;
+                    phi_683_ = _e381;
                 } else {
-                    phi_690_ = 0i;
+                    phi_683_ = 0i;
                 }
-                let _e385 = phi_690_;
+                let _e385 = phi_683_;
                 if (_e382 > 0i) {
-                    phi_695_ = _e382;
+                    phi_688_ = _e382;
                 } else {
-                    phi_695_ = 0i;
+                    phi_688_ = 0i;
                 }
-                let _e388 = phi_695_;
+                let _e388 = phi_688_;
                 if (_e385 < _e366) {
-                    phi_700_ = _e385;
+                    phi_693_ = _e385;
                 } else {
-                    phi_700_ = _e366;
+                    phi_693_ = _e366;
                 }
-                let _e391 = phi_700_;
+                let _e391 = phi_693_;
                 if (_e388 < _e366) {
-                    phi_705_ = _e388;
+                    phi_698_ = _e388;
                 } else {
-                    phi_705_ = _e366;
+                    phi_698_ = _e366;
                 }
-                let _e394 = phi_705_;
+                let _e394 = phi_698_;
                 let _e395 = bitcast<u32>(_e391);
                 let _e397 = (bitcast<u32>(_e378) * _e364);
                 let _e398 = (bitcast<u32>(_e394) * _e364);
@@ -594,47 +587,47 @@ fn function_() {
                 let _e464 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e406.x * _e354) + (_e418.x * _e356)) + (_e434.x * _e358)) + (_e450.x * _e359)), ((((_e406.y * _e354) + (_e418.y * _e356)) + (_e434.y * _e358)) + (_e450.y * _e359)), ((((_e406.z * _e354) + (_e418.z * _e356)) + (_e434.z * _e358)) + (_e450.z * _e359)), ((((_e406.w * _e354) + (_e418.w * _e356)) + (_e434.w * _e358)) + (_e450.w * _e359))), _e245);
                 let _e466 = p.member.epsilon;
                 if (_e464 <= _e466) {
-                    phi_796_ = true;
+                    phi_789_ = true;
                 } else {
-                    phi_796_ = (_e464 >= (1f - _e466));
+                    phi_789_ = (_e464 >= (1f - _e466));
                 }
-                let _e471 = phi_796_;
+                let _e471 = phi_789_;
                 if ((bitcast<u32>(_e464) & 2147483647u) > 2139095040u) {
-                    phi_804_ = true;
+                    phi_797_ = true;
                 } else {
-                    phi_804_ = !(_e471);
+                    phi_797_ = !(_e471);
                 }
-                let _e477 = phi_804_;
+                let _e477 = phi_797_;
                 if (_e464 > 0.5f) {
-                    phi_809_ = 1f;
+                    phi_802_ = 1f;
                 } else {
-                    phi_809_ = 0f;
+                    phi_802_ = 0f;
                 }
-                let _e480 = phi_809_;
-                phi_812_ = evaluate_Verdict(_e480, _e477);
+                let _e480 = phi_802_;
+                phi_805_ = evaluate_Verdict(_e480, _e477);
             } else {
-                phi_812_ = evaluate_Verdict(1f, true);
+                phi_805_ = evaluate_Verdict(1f, true);
             }
-            let _e484 = phi_812_;
-            phi_813_ = _e484;
+            let _e484 = phi_805_;
+            phi_806_ = _e484;
         }
-        let _e486 = phi_813_;
+        let _e486 = phi_806_;
         visibility.member[_e66.first_primitive] = _e486.visibility;
-        phi_817_ = _e486.is_doubted;
-        phi_818_ = _e66.first_primitive;
+        phi_810_ = _e486.is_doubted;
+        phi_811_ = _e66.first_primitive;
     } else {
-        phi_817_ = false;
-        phi_818_ = 0u;
+        phi_810_ = false;
+        phi_811_ = 0u;
     }
-    let _e491 = phi_817_;
-    let _e493 = phi_818_;
+    let _e491 = phi_810_;
+    let _e493 = phi_811_;
     if _e491 {
         let _e495 = atomicAdd((&shared_[0u]), 1u);
-        phi_824_ = _e495;
+        phi_817_ = _e495;
     } else {
-        phi_824_ = 0u;
+        phi_817_ = 0u;
     }
-    let _e497 = phi_824_;
+    let _e497 = phi_817_;
     workgroupBarrier();
     if (_e51 == 0u) {
         let _e501 = atomicLoad((&shared_[0u]));

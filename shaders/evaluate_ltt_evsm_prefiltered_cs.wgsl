@@ -126,63 +126,49 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_negative(param_4: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_433_: bool;
-    var phi_437_: f32;
-    var phi_438_: f32;
+    var phi_420_: bool;
+    var phi_424_: f32;
 
     let _e52 = (*param_4).negative_exponent;
-    if ((bitcast<u32>(_e52) & 2147483647u) > 2139095040u) {
-        phi_438_ = _e52;
+    if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
+        phi_420_ = true;
     } else {
-        if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-            phi_433_ = true;
-        } else {
-            let _e59 = (42f < _e52);
-            if _e59 {
-            }
-            phi_433_ = _e59;
+        let _e56 = (42f < _e52);
+        if _e56 {
         }
-        let _e61 = phi_433_;
-        if _e61 {
-            phi_437_ = 42f;
-        } else {
-            phi_437_ = _e52;
-        }
-        let _e63 = phi_437_;
-        phi_438_ = _e63;
+        phi_420_ = _e56;
     }
-    let _e65 = phi_438_;
-    return _e65;
+    let _e58 = phi_420_;
+    if _e58 {
+        phi_424_ = 42f;
+    } else {
+        phi_424_ = _e52;
+    }
+    let _e60 = phi_424_;
+    return _e60;
 }
 
 fn _lt_math_evsm_Evsm_positive(param_5: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_407_: bool;
-    var phi_411_: f32;
-    var phi_412_: f32;
+    var phi_401_: bool;
+    var phi_405_: f32;
 
     let _e52 = (*param_5).positive_exponent;
-    if ((bitcast<u32>(_e52) & 2147483647u) > 2139095040u) {
-        phi_412_ = _e52;
+    if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
+        phi_401_ = true;
     } else {
-        if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-            phi_407_ = true;
-        } else {
-            let _e59 = (42f < _e52);
-            if _e59 {
-            }
-            phi_407_ = _e59;
+        let _e56 = (42f < _e52);
+        if _e56 {
         }
-        let _e61 = phi_407_;
-        if _e61 {
-            phi_411_ = 42f;
-        } else {
-            phi_411_ = _e52;
-        }
-        let _e63 = phi_411_;
-        phi_412_ = _e63;
+        phi_401_ = _e56;
     }
-    let _e65 = phi_412_;
-    return _e65;
+    let _e58 = phi_401_;
+    if _e58 {
+        phi_405_ = 42f;
+    } else {
+        phi_405_ = _e52;
+    }
+    let _e60 = phi_405_;
+    return _e60;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6: ptr<function, lt_math_Evsm>, param_7: f32) -> vec4<f32> {
@@ -337,195 +323,174 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_8: ptr<function, lt_math_Evsm>, param_9: vec4<f32>, param_10: f32) -> f32 {
-    var phi_474_: bool;
-    var phi_478_: f32;
-    var phi_479_: f32;
-    var phi_491_: bool;
-    var phi_498_: f32;
-    var phi_529_: bool;
-    var phi_533_: f32;
-    var phi_534_: f32;
-    var phi_546_: bool;
-    var phi_553_: f32;
-    var phi_570_: bool;
-    var phi_574_: f32;
-    var phi_575_: f32;
-    var phi_590_: f32;
-    var phi_591_: f32;
-    var phi_592_: f32;
+    var phi_454_: bool;
+    var phi_458_: f32;
+    var phi_470_: bool;
+    var phi_477_: f32;
+    var phi_502_: bool;
+    var phi_506_: f32;
+    var phi_518_: bool;
+    var phi_525_: f32;
+    var phi_536_: bool;
+    var phi_540_: f32;
+    var phi_555_: f32;
+    var phi_556_: f32;
+    var phi_557_: f32;
 
     let _e53 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_8, param_10);
     let _e54 = _lt_math_evsm_Evsm_positive(param_8);
     let _e56 = (*param_8).min_variance;
     let _e60 = (((_e56 * _e54) * _e54) * _e53.y);
     let _e67 = ((param_9.y - (param_9.x * param_9.x)) + (0.00000047683716f * param_9.y));
-    if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-        phi_479_ = _e67;
+    if ((bitcast<u32>(_e60) & 2147483647u) > 2139095040u) {
+        phi_454_ = true;
     } else {
-        if ((bitcast<u32>(_e60) & 2147483647u) > 2139095040u) {
-            phi_474_ = true;
-        } else {
-            let _e74 = (_e60 > _e67);
-            if _e74 {
-            }
-            phi_474_ = _e74;
+        let _e71 = (_e60 > _e67);
+        if _e71 {
         }
-        let _e76 = phi_474_;
-        if _e76 {
-            phi_478_ = _e60;
-        } else {
-            phi_478_ = _e67;
-        }
-        let _e78 = phi_478_;
-        phi_479_ = _e78;
+        phi_454_ = _e71;
     }
-    let _e80 = phi_479_;
-    let _e81 = (_e53.x - param_9.x);
-    if (_e81 <= 0f) {
-        let _e85 = ((bitcast<u32>(_e80) & 2147483647u) > 2139095040u);
-        if _e85 {
+    let _e73 = phi_454_;
+    if _e73 {
+        phi_458_ = _e60;
+    } else {
+        phi_458_ = _e67;
+    }
+    let _e75 = phi_458_;
+    let _e76 = (_e53.x - param_9.x);
+    if (_e76 <= 0f) {
+        let _e80 = ((bitcast<u32>(_e75) & 2147483647u) > 2139095040u);
+        if _e80 {
         }
-        phi_491_ = _e85;
+        phi_470_ = _e80;
     } else {
-        phi_491_ = true;
+        phi_470_ = true;
     }
-    let _e87 = phi_491_;
-    if _e87 {
-        phi_498_ = (_e80 / (_e80 + (_e81 * _e81)));
+    let _e82 = phi_470_;
+    if _e82 {
+        phi_477_ = (_e75 / (_e75 + (_e76 * _e76)));
     } else {
-        phi_498_ = 1f;
+        phi_477_ = 1f;
     }
-    let _e92 = phi_498_;
-    let _e93 = _lt_math_evsm_Evsm_negative(param_8);
-    let _e95 = (*param_8).min_variance;
-    let _e99 = (((_e95 * _e93) * _e93) * _e53.w);
-    let _e106 = ((param_9.w - (param_9.z * param_9.z)) + (0.00000047683716f * param_9.w));
-    if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-        phi_534_ = _e106;
+    let _e87 = phi_477_;
+    let _e88 = _lt_math_evsm_Evsm_negative(param_8);
+    let _e90 = (*param_8).min_variance;
+    let _e94 = (((_e90 * _e88) * _e88) * _e53.w);
+    let _e101 = ((param_9.w - (param_9.z * param_9.z)) + (0.00000047683716f * param_9.w));
+    if ((bitcast<u32>(_e94) & 2147483647u) > 2139095040u) {
+        phi_502_ = true;
     } else {
-        if ((bitcast<u32>(_e99) & 2147483647u) > 2139095040u) {
-            phi_529_ = true;
+        let _e105 = (_e94 > _e101);
+        if _e105 {
+        }
+        phi_502_ = _e105;
+    }
+    let _e107 = phi_502_;
+    if _e107 {
+        phi_506_ = _e94;
+    } else {
+        phi_506_ = _e101;
+    }
+    let _e109 = phi_506_;
+    let _e110 = (_e53.z - param_9.z);
+    if (_e110 <= 0f) {
+        let _e114 = ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u);
+        if _e114 {
+        }
+        phi_518_ = _e114;
+    } else {
+        phi_518_ = true;
+    }
+    let _e116 = phi_518_;
+    if _e116 {
+        phi_525_ = (_e109 / (_e109 + (_e110 * _e110)));
+    } else {
+        phi_525_ = 1f;
+    }
+    let _e121 = phi_525_;
+    if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
+        phi_536_ = true;
+    } else {
+        let _e125 = (_e121 < _e87);
+        if _e125 {
+        }
+        phi_536_ = _e125;
+    }
+    let _e127 = phi_536_;
+    if _e127 {
+        phi_540_ = _e121;
+    } else {
+        phi_540_ = _e87;
+    }
+    let _e129 = phi_540_;
+    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
+        phi_557_ = _e129;
+    } else {
+        if (_e129 < 0f) {
+            phi_556_ = 0f;
         } else {
-            let _e113 = (_e99 > _e106);
-            if _e113 {
-            }
-            phi_529_ = _e113;
-        }
-        let _e115 = phi_529_;
-        if _e115 {
-            phi_533_ = _e99;
-        } else {
-            phi_533_ = _e106;
-        }
-        let _e117 = phi_533_;
-        phi_534_ = _e117;
-    }
-    let _e119 = phi_534_;
-    let _e120 = (_e53.z - param_9.z);
-    if (_e120 <= 0f) {
-        let _e124 = ((bitcast<u32>(_e119) & 2147483647u) > 2139095040u);
-        if _e124 {
-        }
-        phi_546_ = _e124;
-    } else {
-        phi_546_ = true;
-    }
-    let _e126 = phi_546_;
-    if _e126 {
-        phi_553_ = (_e119 / (_e119 + (_e120 * _e120)));
-    } else {
-        phi_553_ = 1f;
-    }
-    let _e131 = phi_553_;
-    if ((bitcast<u32>(_e92) & 2147483647u) > 2139095040u) {
-        phi_575_ = _e92;
-    } else {
-        if ((bitcast<u32>(_e131) & 2147483647u) > 2139095040u) {
-            phi_570_ = true;
-        } else {
-            let _e138 = (_e131 < _e92);
-            if _e138 {
-            }
-            phi_570_ = _e138;
-        }
-        let _e140 = phi_570_;
-        if _e140 {
-            phi_574_ = _e131;
-        } else {
-            phi_574_ = _e92;
-        }
-        let _e142 = phi_574_;
-        phi_575_ = _e142;
-    }
-    let _e144 = phi_575_;
-    if ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u) {
-        phi_592_ = _e144;
-    } else {
-        if (_e144 < 0f) {
-            phi_591_ = 0f;
-        } else {
-            if (_e144 > 1f) {
-                phi_590_ = 1f;
+            if (_e129 > 1f) {
+                phi_555_ = 1f;
             } else {
-                phi_590_ = _e144;
+                phi_555_ = _e129;
             }
-            let _e151 = phi_590_;
-            phi_591_ = _e151;
+            let _e136 = phi_555_;
+            phi_556_ = _e136;
         }
-        let _e153 = phi_591_;
-        phi_592_ = _e153;
+        let _e138 = phi_556_;
+        phi_557_ = _e138;
     }
-    let _e155 = phi_592_;
-    return _e155;
+    let _e140 = phi_557_;
+    return _e140;
 }
 
 fn function_() {
     var local_1: lt_math_Evsm;
-    var phi_646_: bool;
-    var phi_647_: bool;
-    var phi_648_: bool;
-    var phi_649_: bool;
-    var phi_653_: bool;
-    var phi_697_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_701_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_778_: bool;
-    var phi_787_: bool;
-    var phi_796_: bool;
-    var phi_797_: bool;
-    var phi_798_: bool;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_806_: bool;
-    var phi_842_: f32;
-    var phi_847_: f32;
-    var phi_848_: bool;
-    var phi_849_: f32;
-    var phi_850_: bool;
-    var phi_854_: f32;
-    var phi_874_: f32;
-    var phi_879_: f32;
-    var phi_880_: bool;
-    var phi_881_: f32;
-    var phi_882_: bool;
-    var phi_886_: f32;
-    var phi_936_: i32;
-    var phi_941_: i32;
-    var phi_946_: i32;
-    var phi_951_: i32;
-    var phi_960_: i32;
-    var phi_965_: i32;
-    var phi_970_: i32;
-    var phi_975_: i32;
-    var phi_1066_: bool;
-    var phi_1074_: bool;
-    var phi_1079_: f32;
-    var phi_1082_: evaluate_Verdict;
-    var phi_1083_: evaluate_Verdict;
-    var phi_1087_: bool;
-    var phi_1088_: u32;
-    var phi_1094_: u32;
+    var phi_611_: bool;
+    var phi_612_: bool;
+    var phi_613_: bool;
+    var phi_614_: bool;
+    var phi_618_: bool;
+    var phi_662_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_666_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_743_: bool;
+    var phi_752_: bool;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: bool;
+    var phi_765_: bool;
+    var phi_766_: bool;
+    var phi_767_: bool;
+    var phi_771_: bool;
+    var phi_807_: f32;
+    var phi_812_: f32;
+    var phi_813_: bool;
+    var phi_814_: f32;
+    var phi_815_: bool;
+    var phi_819_: f32;
+    var phi_839_: f32;
+    var phi_844_: f32;
+    var phi_845_: bool;
+    var phi_846_: f32;
+    var phi_847_: bool;
+    var phi_851_: f32;
+    var phi_901_: i32;
+    var phi_906_: i32;
+    var phi_911_: i32;
+    var phi_916_: i32;
+    var phi_925_: i32;
+    var phi_930_: i32;
+    var phi_935_: i32;
+    var phi_940_: i32;
+    var phi_1031_: bool;
+    var phi_1039_: bool;
+    var phi_1044_: f32;
+    var phi_1047_: evaluate_Verdict;
+    var phi_1048_: evaluate_Verdict;
+    var phi_1052_: bool;
+    var phi_1053_: u32;
+    var phi_1059_: u32;
 
     let _e51 = id_1;
     let _e52 = local_2;
@@ -547,28 +512,28 @@ fn function_() {
             if (_e82 == _e84) {
                 let _e87 = samples.member[_e67.first_primitive].normal[2u];
                 let _e89 = global[2u];
-                phi_646_ = (_e87 == _e89);
-                phi_647_ = false;
+                phi_611_ = (_e87 == _e89);
+                phi_612_ = false;
             } else {
-                phi_646_ = bool();
-                phi_647_ = true;
+                phi_611_ = bool();
+                phi_612_ = true;
             }
-            let _e92 = phi_646_;
-            let _e94 = phi_647_;
-            phi_648_ = _e92;
-            phi_649_ = _e94;
+            let _e92 = phi_611_;
+            let _e94 = phi_612_;
+            phi_613_ = _e92;
+            phi_614_ = _e94;
         } else {
-            phi_648_ = bool();
-            phi_649_ = true;
+            phi_613_ = bool();
+            phi_614_ = true;
         }
-        let _e96 = phi_648_;
-        let _e98 = phi_649_;
+        let _e96 = phi_613_;
+        let _e98 = phi_614_;
         if _e98 {
-            phi_653_ = false;
+            phi_618_ = false;
         } else {
-            phi_653_ = _e96;
+            phi_618_ = _e96;
         }
-        let _e100 = phi_653_;
+        let _e100 = phi_618_;
         if !(_e100) {
             let _e103 = samples.member[_e67.first_primitive].normal;
             let _e105 = samples.member[_e67.first_primitive].position;
@@ -576,22 +541,22 @@ fn function_() {
                 let _e129 = samples.member[_e67.first_primitive].flags;
                 let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
-                phi_697_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, ((_e129 & 1u) == 0u));
+                phi_662_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, ((_e129 & 1u) == 0u));
             } else {
                 let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e152.unnamed.visibility, false), _e152.unnamed_1);
-                phi_697_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, true);
+                phi_662_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, true);
             }
-            let _e163 = phi_697_;
-            phi_701_ = _e163;
+            let _e163 = phi_662_;
+            phi_666_ = _e163;
         } else {
             let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-            phi_701_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, true);
+            phi_666_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, true);
         }
-        let _e180 = phi_701_;
+        let _e180 = phi_666_;
         if _e180.unnamed_1 {
-            phi_1083_ = evaluate_Verdict(_e180.unnamed.visibility, _e180.unnamed.is_doubted);
+            phi_1048_ = evaluate_Verdict(_e180.unnamed.visibility, _e180.unnamed.is_doubted);
         } else {
             let _e188 = samples.member[_e67.first_primitive].position;
             let _e194 = p.member.projection.row_w;
@@ -604,55 +569,55 @@ fn function_() {
             let _e246 = ((((_e235.x * _e188.x) + (_e235.y * _e188.y)) + (_e235.z * _e188.z)) + (_e235.w * 1f));
             if (_e205 > 0f) {
                 if (_e219 >= 0f) {
-                    phi_778_ = (_e219 <= 1f);
+                    phi_743_ = (_e219 <= 1f);
                 } else {
-                    phi_778_ = false;
+                    phi_743_ = false;
                 }
-                let _e251 = phi_778_;
+                let _e251 = phi_743_;
                 if _e251 {
                     if (_e233 >= 0f) {
-                        phi_787_ = (_e233 <= 1f);
+                        phi_752_ = (_e233 <= 1f);
                     } else {
-                        phi_787_ = false;
+                        phi_752_ = false;
                     }
-                    let _e255 = phi_787_;
+                    let _e255 = phi_752_;
                     if _e255 {
                         if (_e246 >= 0f) {
-                            phi_796_ = (_e246 <= 1f);
+                            phi_761_ = (_e246 <= 1f);
                         } else {
-                            phi_796_ = false;
+                            phi_761_ = false;
                         }
-                        let _e259 = phi_796_;
-                        phi_797_ = _e259;
-                        phi_798_ = false;
+                        let _e259 = phi_761_;
+                        phi_762_ = _e259;
+                        phi_763_ = false;
                     } else {
-                        phi_797_ = bool();
-                        phi_798_ = true;
+                        phi_762_ = bool();
+                        phi_763_ = true;
                     }
-                    let _e261 = phi_797_;
-                    let _e263 = phi_798_;
-                    phi_799_ = _e261;
-                    phi_800_ = _e263;
+                    let _e261 = phi_762_;
+                    let _e263 = phi_763_;
+                    phi_764_ = _e261;
+                    phi_765_ = _e263;
                 } else {
-                    phi_799_ = bool();
-                    phi_800_ = true;
+                    phi_764_ = bool();
+                    phi_765_ = true;
                 }
-                let _e265 = phi_799_;
-                let _e267 = phi_800_;
-                phi_801_ = _e265;
-                phi_802_ = _e267;
+                let _e265 = phi_764_;
+                let _e267 = phi_765_;
+                phi_766_ = _e265;
+                phi_767_ = _e267;
             } else {
-                phi_801_ = bool();
-                phi_802_ = true;
+                phi_766_ = bool();
+                phi_767_ = true;
             }
-            let _e269 = phi_801_;
-            let _e271 = phi_802_;
+            let _e269 = phi_766_;
+            let _e271 = phi_767_;
             if _e271 {
-                phi_806_ = false;
+                phi_771_ = false;
             } else {
-                phi_806_ = _e269;
+                phi_771_ = _e269;
             }
-            let _e273 = phi_806_;
+            let _e273 = phi_771_;
             if _e273 {
                 let _e275 = p.member.map_size;
                 let _e276 = f32(_e275);
@@ -661,65 +626,65 @@ fn function_() {
                 if (_e279 > -8388608f) {
                     let _e292 = f32(select(0i, select(select(i32(_e279), i32(-2147483648), (_e279 < bitcast<f32>(3472883712u))), 2147483647i, (_e279 > bitcast<f32>(1325400063u))), (_e279 == _e279)));
                     if (_e292 > _e279) {
-                        phi_842_ = 1f;
+                        phi_807_ = 1f;
                     } else {
-                        phi_842_ = 0f;
+                        phi_807_ = 0f;
                     }
-                    let _e295 = phi_842_;
+                    let _e295 = phi_807_;
                     if (_e279 < 8388608f) {
-                        phi_847_ = (_e292 - _e295);
-                        phi_848_ = false;
+                        phi_812_ = (_e292 - _e295);
+                        phi_813_ = false;
                     } else {
-                        phi_847_ = f32();
-                        phi_848_ = true;
+                        phi_812_ = f32();
+                        phi_813_ = true;
                     }
-                    let _e298 = phi_847_;
-                    let _e300 = phi_848_;
-                    phi_849_ = _e298;
-                    phi_850_ = _e300;
+                    let _e298 = phi_812_;
+                    let _e300 = phi_813_;
+                    phi_814_ = _e298;
+                    phi_815_ = _e300;
                 } else {
-                    phi_849_ = f32();
-                    phi_850_ = true;
+                    phi_814_ = f32();
+                    phi_815_ = true;
                 }
-                let _e302 = phi_849_;
-                let _e304 = phi_850_;
+                let _e302 = phi_814_;
+                let _e304 = phi_815_;
                 if _e304 {
-                    phi_854_ = _e279;
+                    phi_819_ = _e279;
                 } else {
-                    phi_854_ = _e302;
+                    phi_819_ = _e302;
                 }
-                let _e306 = phi_854_;
+                let _e306 = phi_819_;
                 if (_e280 > -8388608f) {
                     let _e318 = f32(select(0i, select(select(i32(_e280), i32(-2147483648), (_e280 < bitcast<f32>(3472883712u))), 2147483647i, (_e280 > bitcast<f32>(1325400063u))), (_e280 == _e280)));
                     if (_e318 > _e280) {
-                        phi_874_ = 1f;
+                        phi_839_ = 1f;
                     } else {
-                        phi_874_ = 0f;
+                        phi_839_ = 0f;
                     }
-                    let _e321 = phi_874_;
+                    let _e321 = phi_839_;
                     if (_e280 < 8388608f) {
-                        phi_879_ = (_e318 - _e321);
-                        phi_880_ = false;
+                        phi_844_ = (_e318 - _e321);
+                        phi_845_ = false;
                     } else {
-                        phi_879_ = f32();
-                        phi_880_ = true;
+                        phi_844_ = f32();
+                        phi_845_ = true;
                     }
-                    let _e324 = phi_879_;
-                    let _e326 = phi_880_;
-                    phi_881_ = _e324;
-                    phi_882_ = _e326;
+                    let _e324 = phi_844_;
+                    let _e326 = phi_845_;
+                    phi_846_ = _e324;
+                    phi_847_ = _e326;
                 } else {
-                    phi_881_ = f32();
-                    phi_882_ = true;
+                    phi_846_ = f32();
+                    phi_847_ = true;
                 }
-                let _e328 = phi_881_;
-                let _e330 = phi_882_;
+                let _e328 = phi_846_;
+                let _e330 = phi_847_;
                 if _e330 {
-                    phi_886_ = _e280;
+                    phi_851_ = _e280;
                 } else {
-                    phi_886_ = _e328;
+                    phi_851_ = _e328;
                 }
-                let _e332 = phi_886_;
+                let _e332 = phi_851_;
                 let _e333 = (_e279 - _e306);
                 let _e334 = (_e280 - _e332);
                 let _e343 = select(0i, select(select(i32(_e306), i32(-2147483648), (_e306 < bitcast<f32>(3472883712u))), 2147483647i, (_e306 > bitcast<f32>(1325400063u))), (_e306 == _e306));
@@ -734,56 +699,56 @@ fn function_() {
                 local_1 = lt_math_Evsm(_e363.positive_exponent, _e363.negative_exponent, _e363.min_variance);
                 let _e371 = (bitcast<i32>(_e365) - 1i);
                 if (_e343 > 0i) {
-                    phi_936_ = _e343;
+                    phi_901_ = _e343;
                 } else {
-                    phi_936_ = 0i;
+                    phi_901_ = 0i;
                 }
-                let _e374 = phi_936_;
+                let _e374 = phi_901_;
                 if (_e352 > 0i) {
-                    phi_941_ = _e352;
+                    phi_906_ = _e352;
                 } else {
-                    phi_941_ = 0i;
+                    phi_906_ = 0i;
                 }
-                let _e377 = phi_941_;
+                let _e377 = phi_906_;
                 if (_e374 < _e371) {
-                    phi_946_ = _e374;
+                    phi_911_ = _e374;
                 } else {
-                    phi_946_ = _e371;
+                    phi_911_ = _e371;
                 }
-                let _e380 = phi_946_;
+                let _e380 = phi_911_;
                 if (_e377 < _e371) {
-                    phi_951_ = _e377;
+                    phi_916_ = _e377;
                 } else {
-                    phi_951_ = _e371;
+                    phi_916_ = _e371;
                 }
-                let _e383 = phi_951_;
+                let _e383 = phi_916_;
                 let _e384 = bitcast<u32>(_e380);
                 let _e386 = (_e343 + 1i);
                 let _e387 = (_e352 + 1i);
                 if (_e386 > 0i) {
-                    phi_960_ = _e386;
+                    phi_925_ = _e386;
                 } else {
-                    phi_960_ = 0i;
+                    phi_925_ = 0i;
                 }
-                let _e390 = phi_960_;
+                let _e390 = phi_925_;
                 if (_e387 > 0i) {
-                    phi_965_ = _e387;
+                    phi_930_ = _e387;
                 } else {
-                    phi_965_ = 0i;
+                    phi_930_ = 0i;
                 }
-                let _e393 = phi_965_;
+                let _e393 = phi_930_;
                 if (_e390 < _e371) {
-                    phi_970_ = _e390;
+                    phi_935_ = _e390;
                 } else {
-                    phi_970_ = _e371;
+                    phi_935_ = _e371;
                 }
-                let _e396 = phi_970_;
+                let _e396 = phi_935_;
                 if (_e393 < _e371) {
-                    phi_975_ = _e393;
+                    phi_940_ = _e393;
                 } else {
-                    phi_975_ = _e371;
+                    phi_940_ = _e371;
                 }
-                let _e399 = phi_975_;
+                let _e399 = phi_940_;
                 let _e400 = bitcast<u32>(_e396);
                 let _e402 = (bitcast<u32>(_e383) * _e365);
                 let _e403 = (bitcast<u32>(_e399) * _e365);
@@ -814,47 +779,47 @@ fn function_() {
                 let _e469 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e411.x * _e355) + (_e423.x * _e357)) + (_e439.x * _e359)) + (_e455.x * _e360)), ((((_e411.y * _e355) + (_e423.y * _e357)) + (_e439.y * _e359)) + (_e455.y * _e360)), ((((_e411.z * _e355) + (_e423.z * _e357)) + (_e439.z * _e359)) + (_e455.z * _e360)), ((((_e411.w * _e355) + (_e423.w * _e357)) + (_e439.w * _e359)) + (_e455.w * _e360))), _e246);
                 let _e471 = p.member.epsilon;
                 if (_e469 <= _e471) {
-                    phi_1066_ = true;
+                    phi_1031_ = true;
                 } else {
-                    phi_1066_ = (_e469 >= (1f - _e471));
+                    phi_1031_ = (_e469 >= (1f - _e471));
                 }
-                let _e476 = phi_1066_;
+                let _e476 = phi_1031_;
                 if ((bitcast<u32>(_e469) & 2147483647u) > 2139095040u) {
-                    phi_1074_ = true;
+                    phi_1039_ = true;
                 } else {
-                    phi_1074_ = !(_e476);
+                    phi_1039_ = !(_e476);
                 }
-                let _e482 = phi_1074_;
+                let _e482 = phi_1039_;
                 if (_e469 > 0.5f) {
-                    phi_1079_ = 1f;
+                    phi_1044_ = 1f;
                 } else {
-                    phi_1079_ = 0f;
+                    phi_1044_ = 0f;
                 }
-                let _e485 = phi_1079_;
-                phi_1082_ = evaluate_Verdict(_e485, _e482);
+                let _e485 = phi_1044_;
+                phi_1047_ = evaluate_Verdict(_e485, _e482);
             } else {
-                phi_1082_ = evaluate_Verdict(1f, true);
+                phi_1047_ = evaluate_Verdict(1f, true);
             }
-            let _e489 = phi_1082_;
-            phi_1083_ = _e489;
+            let _e489 = phi_1047_;
+            phi_1048_ = _e489;
         }
-        let _e491 = phi_1083_;
+        let _e491 = phi_1048_;
         visibility.member[_e67.first_primitive] = _e491.visibility;
-        phi_1087_ = _e491.is_doubted;
-        phi_1088_ = _e67.first_primitive;
+        phi_1052_ = _e491.is_doubted;
+        phi_1053_ = _e67.first_primitive;
     } else {
-        phi_1087_ = false;
-        phi_1088_ = 0u;
+        phi_1052_ = false;
+        phi_1053_ = 0u;
     }
-    let _e496 = phi_1087_;
-    let _e498 = phi_1088_;
+    let _e496 = phi_1052_;
+    let _e498 = phi_1053_;
     if _e496 {
         let _e500 = atomicAdd((&shared_[0u]), 1u);
-        phi_1094_ = _e500;
+        phi_1059_ = _e500;
     } else {
-        phi_1094_ = 0u;
+        phi_1059_ = 0u;
     }
-    let _e502 = phi_1094_;
+    let _e502 = phi_1059_;
     workgroupBarrier();
     if (_e52 == 0u) {
         let _e506 = atomicLoad((&shared_[0u]));

@@ -131,55 +131,55 @@ fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
-    var phi_943_: f32;
-    var phi_944_: f32;
-    var phi_945_: f32;
-    var phi_972_: f32;
-    var phi_973_: f32;
-    var phi_974_: f32;
-    var phi_975_: f32;
-    var phi_976_: bool;
-    var phi_977_: f32;
-    var phi_978_: bool;
-    var phi_1006_: f32;
-    var phi_1007_: f32;
-    var phi_1008_: f32;
-    var phi_1009_: f32;
-    var phi_1010_: bool;
-    var phi_1011_: f32;
-    var phi_1012_: bool;
-    var phi_1019_: f32;
-    var phi_1020_: f32;
-    var phi_1021_: f32;
-    var phi_1022_: f32;
+    var phi_936_: f32;
+    var phi_937_: f32;
+    var phi_938_: f32;
+    var phi_965_: f32;
+    var phi_966_: f32;
+    var phi_967_: f32;
+    var phi_968_: f32;
+    var phi_969_: bool;
+    var phi_970_: f32;
+    var phi_971_: bool;
+    var phi_999_: f32;
+    var phi_1000_: f32;
+    var phi_1001_: f32;
+    var phi_1002_: f32;
+    var phi_1003_: bool;
+    var phi_1004_: f32;
+    var phi_1005_: bool;
+    var phi_1012_: f32;
+    var phi_1013_: f32;
+    var phi_1014_: f32;
+    var phi_1015_: f32;
 
     let _e42 = (*param_9).moments;
     if (param_10 < 0.0001f) {
-        phi_1022_ = 1f;
+        phi_1015_ = 1f;
     } else {
         let _e51 = ((_e42.z - ((1f + param_10) * _e42.y)) + (param_10 * _e42.x));
         let _e60 = (((_e42.w - ((1f + param_10) * _e42.z)) + (param_10 * _e42.y)) / _e51);
         if (abs(_e51) <= 0.00000047683716f) {
             let _e74 = (1f - (((_e42.y - (_e42.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
             if ((bitcast<u32>(_e74) & 2147483647u) > 2139095040u) {
-                phi_945_ = _e74;
+                phi_938_ = _e74;
             } else {
                 if (_e74 < 0f) {
-                    phi_944_ = 0f;
+                    phi_937_ = 0f;
                 } else {
                     if (_e74 > 1f) {
-                        phi_943_ = 1f;
+                        phi_936_ = 1f;
                     } else {
-                        phi_943_ = _e74;
+                        phi_936_ = _e74;
                     }
-                    let _e81 = phi_943_;
-                    phi_944_ = _e81;
+                    let _e81 = phi_936_;
+                    phi_937_ = _e81;
                 }
-                let _e83 = phi_944_;
-                phi_945_ = _e83;
+                let _e83 = phi_937_;
+                phi_938_ = _e83;
             }
-            let _e85 = phi_945_;
-            phi_1021_ = _e85;
+            let _e85 = phi_938_;
+            phi_1014_ = _e85;
         } else {
             if (_e60 > 0f) {
                 if (_e60 < param_10) {
@@ -187,95 +187,95 @@ fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFa
                     let _e90 = lt_math_hausdorff_cubic_mass(_e42, _e60, 0f, param_10, 1f);
                     let _e91 = ((1f - _e88) - _e90);
                     if ((bitcast<u32>(_e91) & 2147483647u) > 2139095040u) {
-                        phi_974_ = _e91;
+                        phi_967_ = _e91;
                     } else {
                         if (_e91 < 0f) {
-                            phi_973_ = 0f;
+                            phi_966_ = 0f;
                         } else {
                             if (_e91 > 1f) {
-                                phi_972_ = 1f;
+                                phi_965_ = 1f;
                             } else {
-                                phi_972_ = _e91;
+                                phi_965_ = _e91;
                             }
-                            let _e98 = phi_972_;
-                            phi_973_ = _e98;
+                            let _e98 = phi_965_;
+                            phi_966_ = _e98;
                         }
-                        let _e100 = phi_973_;
-                        phi_974_ = _e100;
+                        let _e100 = phi_966_;
+                        phi_967_ = _e100;
                     }
-                    let _e102 = phi_974_;
-                    phi_975_ = _e102;
-                    phi_976_ = false;
+                    let _e102 = phi_967_;
+                    phi_968_ = _e102;
+                    phi_969_ = false;
                 } else {
-                    phi_975_ = f32();
-                    phi_976_ = true;
+                    phi_968_ = f32();
+                    phi_969_ = true;
                 }
-                let _e104 = phi_975_;
-                let _e106 = phi_976_;
-                phi_977_ = _e104;
-                phi_978_ = _e106;
+                let _e104 = phi_968_;
+                let _e106 = phi_969_;
+                phi_970_ = _e104;
+                phi_971_ = _e106;
             } else {
-                phi_977_ = f32();
-                phi_978_ = true;
+                phi_970_ = f32();
+                phi_971_ = true;
             }
-            let _e108 = phi_977_;
-            let _e110 = phi_978_;
+            let _e108 = phi_970_;
+            let _e110 = phi_971_;
             if _e110 {
                 if (_e60 > param_10) {
                     if (_e60 < 1f) {
                         let _e113 = lt_math_hausdorff_cubic_mass(_e42, 0f, _e60, param_10, 1f);
                         let _e114 = (1f - _e113);
                         if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
-                            phi_1008_ = _e114;
+                            phi_1001_ = _e114;
                         } else {
                             if (_e114 < 0f) {
-                                phi_1007_ = 0f;
+                                phi_1000_ = 0f;
                             } else {
                                 if (_e114 > 1f) {
-                                    phi_1006_ = 1f;
+                                    phi_999_ = 1f;
                                 } else {
-                                    phi_1006_ = _e114;
+                                    phi_999_ = _e114;
                                 }
-                                let _e121 = phi_1006_;
-                                phi_1007_ = _e121;
+                                let _e121 = phi_999_;
+                                phi_1000_ = _e121;
                             }
-                            let _e123 = phi_1007_;
-                            phi_1008_ = _e123;
+                            let _e123 = phi_1000_;
+                            phi_1001_ = _e123;
                         }
-                        let _e125 = phi_1008_;
-                        phi_1009_ = _e125;
-                        phi_1010_ = false;
+                        let _e125 = phi_1001_;
+                        phi_1002_ = _e125;
+                        phi_1003_ = false;
                     } else {
-                        phi_1009_ = f32();
-                        phi_1010_ = true;
+                        phi_1002_ = f32();
+                        phi_1003_ = true;
                     }
-                    let _e127 = phi_1009_;
-                    let _e129 = phi_1010_;
-                    phi_1011_ = _e127;
-                    phi_1012_ = _e129;
+                    let _e127 = phi_1002_;
+                    let _e129 = phi_1003_;
+                    phi_1004_ = _e127;
+                    phi_1005_ = _e129;
                 } else {
-                    phi_1011_ = f32();
-                    phi_1012_ = true;
+                    phi_1004_ = f32();
+                    phi_1005_ = true;
                 }
-                let _e131 = phi_1011_;
-                let _e133 = phi_1012_;
+                let _e131 = phi_1004_;
+                let _e133 = phi_1005_;
                 if _e133 {
-                    phi_1019_ = bitcast<f32>((bitcast<u32>(_e60) | 2143289344u));
+                    phi_1012_ = bitcast<f32>((bitcast<u32>(_e60) | 2143289344u));
                 } else {
-                    phi_1019_ = _e131;
+                    phi_1012_ = _e131;
                 }
-                let _e138 = phi_1019_;
-                phi_1020_ = _e138;
+                let _e138 = phi_1012_;
+                phi_1013_ = _e138;
             } else {
-                phi_1020_ = _e108;
+                phi_1013_ = _e108;
             }
-            let _e140 = phi_1020_;
-            phi_1021_ = _e140;
+            let _e140 = phi_1013_;
+            phi_1014_ = _e140;
         }
-        let _e142 = phi_1021_;
-        phi_1022_ = _e142;
+        let _e142 = phi_1014_;
+        phi_1015_ = _e142;
     }
-    let _e144 = phi_1022_;
+    let _e144 = phi_1015_;
     return _e144;
 }
 
@@ -347,12 +347,11 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     var phi_858_: f32;
     var phi_859_: f32;
     var phi_860_: f32;
-    var phi_877_: bool;
-    var phi_881_: f32;
-    var phi_882_: f32;
-    var phi_883_: f32;
-    var phi_884_: f32;
-    var phi_885_: f32;
+    var phi_871_: bool;
+    var phi_875_: f32;
+    var phi_876_: f32;
+    var phi_877_: f32;
+    var phi_878_: f32;
 
     let _e43 = (*param_11);
     let _e44 = (1f - _e43);
@@ -523,7 +522,7 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             phi_421_ = _e131;
         }
         let _e253 = phi_421_;
-        phi_885_ = _e253;
+        phi_878_ = _e253;
     } else {
         let _e256 = local_1.moments[0u];
         let _e259 = local_1.moments[1u];
@@ -695,7 +694,7 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
         let _e476 = phi_669_;
         if _e476 {
             if ((bitcast<u32>(_e308.x) & 2147483647u) > 2139095040u) {
-                phi_883_ = _e308.x;
+                phi_876_ = _e308.x;
             } else {
                 let _e480 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e84);
                 let _e483 = local_1.moments[0u];
@@ -828,88 +827,82 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
                     phi_860_ = _e514;
                 }
                 let _e636 = phi_860_;
-                if ((bitcast<u32>(_e480) & 2147483647u) > 2139095040u) {
-                    phi_882_ = _e480;
+                if ((bitcast<u32>(_e636) & 2147483647u) > 2139095040u) {
+                    phi_871_ = true;
                 } else {
-                    if ((bitcast<u32>(_e636) & 2147483647u) > 2139095040u) {
-                        phi_877_ = true;
-                    } else {
-                        let _e643 = (_e636 < _e480);
-                        if _e643 {
-                        }
-                        phi_877_ = _e643;
+                    let _e640 = (_e636 < _e480);
+                    if _e640 {
                     }
-                    let _e645 = phi_877_;
-                    if _e645 {
-                        phi_881_ = _e636;
-                    } else {
-                        phi_881_ = _e480;
-                    }
-                    let _e647 = phi_881_;
-                    phi_882_ = _e647;
+                    phi_871_ = _e640;
                 }
-                let _e649 = phi_882_;
-                phi_883_ = _e649;
+                let _e642 = phi_871_;
+                if _e642 {
+                    phi_875_ = _e636;
+                } else {
+                    phi_875_ = _e480;
+                }
+                let _e644 = phi_875_;
+                phi_876_ = _e644;
             }
-            let _e651 = phi_883_;
-            phi_884_ = _e651;
+            let _e646 = phi_876_;
+            phi_877_ = _e646;
         } else {
-            phi_884_ = _e474;
+            phi_877_ = _e474;
         }
-        let _e653 = phi_884_;
-        phi_885_ = _e653;
+        let _e648 = phi_877_;
+        phi_878_ = _e648;
     }
-    let _e655 = phi_885_;
-    return _e655;
+    let _e650 = phi_878_;
+    return _e650;
 }
 
 fn function_() {
     var local_2: f32;
+    var phi_1098_: bool;
+    var phi_1099_: bool;
+    var phi_1100_: bool;
+    var phi_1101_: bool;
     var phi_1105_: bool;
-    var phi_1106_: bool;
-    var phi_1107_: bool;
-    var phi_1108_: bool;
-    var phi_1112_: bool;
-    var phi_1156_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1160_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1237_: bool;
-    var phi_1246_: bool;
-    var phi_1255_: bool;
-    var phi_1256_: bool;
-    var phi_1257_: bool;
+    var phi_1149_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1153_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1230_: bool;
+    var phi_1239_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1250_: bool;
+    var phi_1251_: bool;
+    var phi_1252_: bool;
+    var phi_1253_: bool;
+    var phi_1254_: bool;
     var phi_1258_: bool;
-    var phi_1259_: bool;
-    var phi_1260_: bool;
-    var phi_1261_: bool;
-    var phi_1265_: bool;
+    var phi_1294_: f32;
+    var phi_1299_: f32;
+    var phi_1300_: bool;
     var phi_1301_: f32;
+    var phi_1302_: bool;
     var phi_1306_: f32;
-    var phi_1307_: bool;
-    var phi_1308_: f32;
-    var phi_1309_: bool;
-    var phi_1313_: f32;
+    var phi_1326_: f32;
+    var phi_1331_: f32;
+    var phi_1332_: bool;
     var phi_1333_: f32;
+    var phi_1334_: bool;
     var phi_1338_: f32;
-    var phi_1339_: bool;
-    var phi_1340_: f32;
-    var phi_1341_: bool;
-    var phi_1345_: f32;
-    var phi_1391_: i32;
-    var phi_1396_: i32;
-    var phi_1401_: i32;
-    var phi_1406_: i32;
-    var phi_1415_: i32;
-    var phi_1420_: i32;
-    var phi_1425_: i32;
-    var phi_1430_: i32;
-    var phi_1521_: bool;
-    var phi_1529_: bool;
-    var phi_1534_: f32;
-    var phi_1537_: evaluate_Verdict;
-    var phi_1538_: evaluate_Verdict;
-    var phi_1542_: bool;
-    var phi_1543_: u32;
-    var phi_1549_: u32;
+    var phi_1384_: i32;
+    var phi_1389_: i32;
+    var phi_1394_: i32;
+    var phi_1399_: i32;
+    var phi_1408_: i32;
+    var phi_1413_: i32;
+    var phi_1418_: i32;
+    var phi_1423_: i32;
+    var phi_1514_: bool;
+    var phi_1522_: bool;
+    var phi_1527_: f32;
+    var phi_1530_: evaluate_Verdict;
+    var phi_1531_: evaluate_Verdict;
+    var phi_1535_: bool;
+    var phi_1536_: u32;
+    var phi_1542_: u32;
 
     let _e40 = id_1;
     let _e41 = local_3;
@@ -931,28 +924,28 @@ fn function_() {
             if (_e71 == _e73) {
                 let _e76 = samples.member[_e56.first_primitive].normal[2u];
                 let _e78 = global[2u];
-                phi_1105_ = (_e76 == _e78);
-                phi_1106_ = false;
+                phi_1098_ = (_e76 == _e78);
+                phi_1099_ = false;
             } else {
-                phi_1105_ = bool();
-                phi_1106_ = true;
+                phi_1098_ = bool();
+                phi_1099_ = true;
             }
-            let _e81 = phi_1105_;
-            let _e83 = phi_1106_;
-            phi_1107_ = _e81;
-            phi_1108_ = _e83;
+            let _e81 = phi_1098_;
+            let _e83 = phi_1099_;
+            phi_1100_ = _e81;
+            phi_1101_ = _e83;
         } else {
-            phi_1107_ = bool();
-            phi_1108_ = true;
+            phi_1100_ = bool();
+            phi_1101_ = true;
         }
-        let _e85 = phi_1107_;
-        let _e87 = phi_1108_;
+        let _e85 = phi_1100_;
+        let _e87 = phi_1101_;
         if _e87 {
-            phi_1112_ = false;
+            phi_1105_ = false;
         } else {
-            phi_1112_ = _e85;
+            phi_1105_ = _e85;
         }
-        let _e89 = phi_1112_;
+        let _e89 = phi_1105_;
         if !(_e89) {
             let _e92 = samples.member[_e56.first_primitive].normal;
             let _e94 = samples.member[_e56.first_primitive].position;
@@ -960,22 +953,22 @@ fn function_() {
                 let _e118 = samples.member[_e56.first_primitive].flags;
                 let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
-                phi_1156_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, ((_e118 & 1u) == 0u));
+                phi_1149_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, ((_e118 & 1u) == 0u));
             } else {
                 let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
-                phi_1156_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, true);
+                phi_1149_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, true);
             }
-            let _e152 = phi_1156_;
-            phi_1160_ = _e152;
+            let _e152 = phi_1149_;
+            phi_1153_ = _e152;
         } else {
             let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
-            phi_1160_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
+            phi_1153_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
         }
-        let _e169 = phi_1160_;
+        let _e169 = phi_1153_;
         if _e169.unnamed_1 {
-            phi_1538_ = evaluate_Verdict(_e169.unnamed.visibility, _e169.unnamed.is_doubted);
+            phi_1531_ = evaluate_Verdict(_e169.unnamed.visibility, _e169.unnamed.is_doubted);
         } else {
             let _e177 = samples.member[_e56.first_primitive].position;
             let _e183 = p.member.projection.row_w;
@@ -988,55 +981,55 @@ fn function_() {
             let _e235 = ((((_e224.x * _e177.x) + (_e224.y * _e177.y)) + (_e224.z * _e177.z)) + (_e224.w * 1f));
             if (_e194 > 0f) {
                 if (_e208 >= 0f) {
-                    phi_1237_ = (_e208 <= 1f);
+                    phi_1230_ = (_e208 <= 1f);
                 } else {
-                    phi_1237_ = false;
+                    phi_1230_ = false;
                 }
-                let _e240 = phi_1237_;
+                let _e240 = phi_1230_;
                 if _e240 {
                     if (_e222 >= 0f) {
-                        phi_1246_ = (_e222 <= 1f);
+                        phi_1239_ = (_e222 <= 1f);
                     } else {
-                        phi_1246_ = false;
+                        phi_1239_ = false;
                     }
-                    let _e244 = phi_1246_;
+                    let _e244 = phi_1239_;
                     if _e244 {
                         if (_e235 >= 0f) {
-                            phi_1255_ = (_e235 <= 1f);
+                            phi_1248_ = (_e235 <= 1f);
                         } else {
-                            phi_1255_ = false;
+                            phi_1248_ = false;
                         }
-                        let _e248 = phi_1255_;
-                        phi_1256_ = _e248;
-                        phi_1257_ = false;
+                        let _e248 = phi_1248_;
+                        phi_1249_ = _e248;
+                        phi_1250_ = false;
                     } else {
-                        phi_1256_ = bool();
-                        phi_1257_ = true;
+                        phi_1249_ = bool();
+                        phi_1250_ = true;
                     }
-                    let _e250 = phi_1256_;
-                    let _e252 = phi_1257_;
-                    phi_1258_ = _e250;
-                    phi_1259_ = _e252;
+                    let _e250 = phi_1249_;
+                    let _e252 = phi_1250_;
+                    phi_1251_ = _e250;
+                    phi_1252_ = _e252;
                 } else {
-                    phi_1258_ = bool();
-                    phi_1259_ = true;
+                    phi_1251_ = bool();
+                    phi_1252_ = true;
                 }
-                let _e254 = phi_1258_;
-                let _e256 = phi_1259_;
-                phi_1260_ = _e254;
-                phi_1261_ = _e256;
+                let _e254 = phi_1251_;
+                let _e256 = phi_1252_;
+                phi_1253_ = _e254;
+                phi_1254_ = _e256;
             } else {
-                phi_1260_ = bool();
-                phi_1261_ = true;
+                phi_1253_ = bool();
+                phi_1254_ = true;
             }
-            let _e258 = phi_1260_;
-            let _e260 = phi_1261_;
+            let _e258 = phi_1253_;
+            let _e260 = phi_1254_;
             if _e260 {
-                phi_1265_ = false;
+                phi_1258_ = false;
             } else {
-                phi_1265_ = _e258;
+                phi_1258_ = _e258;
             }
-            let _e262 = phi_1265_;
+            let _e262 = phi_1258_;
             if _e262 {
                 let _e264 = p.member.map_size;
                 let _e265 = f32(_e264);
@@ -1045,65 +1038,65 @@ fn function_() {
                 if (_e268 > -8388608f) {
                     let _e281 = f32(select(0i, select(select(i32(_e268), i32(-2147483648), (_e268 < bitcast<f32>(3472883712u))), 2147483647i, (_e268 > bitcast<f32>(1325400063u))), (_e268 == _e268)));
                     if (_e281 > _e268) {
-                        phi_1301_ = 1f;
+                        phi_1294_ = 1f;
                     } else {
-                        phi_1301_ = 0f;
+                        phi_1294_ = 0f;
                     }
-                    let _e284 = phi_1301_;
+                    let _e284 = phi_1294_;
                     if (_e268 < 8388608f) {
-                        phi_1306_ = (_e281 - _e284);
-                        phi_1307_ = false;
+                        phi_1299_ = (_e281 - _e284);
+                        phi_1300_ = false;
                     } else {
-                        phi_1306_ = f32();
-                        phi_1307_ = true;
+                        phi_1299_ = f32();
+                        phi_1300_ = true;
                     }
-                    let _e287 = phi_1306_;
-                    let _e289 = phi_1307_;
-                    phi_1308_ = _e287;
-                    phi_1309_ = _e289;
+                    let _e287 = phi_1299_;
+                    let _e289 = phi_1300_;
+                    phi_1301_ = _e287;
+                    phi_1302_ = _e289;
                 } else {
-                    phi_1308_ = f32();
-                    phi_1309_ = true;
+                    phi_1301_ = f32();
+                    phi_1302_ = true;
                 }
-                let _e291 = phi_1308_;
-                let _e293 = phi_1309_;
+                let _e291 = phi_1301_;
+                let _e293 = phi_1302_;
                 if _e293 {
-                    phi_1313_ = _e268;
+                    phi_1306_ = _e268;
                 } else {
-                    phi_1313_ = _e291;
+                    phi_1306_ = _e291;
                 }
-                let _e295 = phi_1313_;
+                let _e295 = phi_1306_;
                 if (_e269 > -8388608f) {
                     let _e307 = f32(select(0i, select(select(i32(_e269), i32(-2147483648), (_e269 < bitcast<f32>(3472883712u))), 2147483647i, (_e269 > bitcast<f32>(1325400063u))), (_e269 == _e269)));
                     if (_e307 > _e269) {
-                        phi_1333_ = 1f;
+                        phi_1326_ = 1f;
                     } else {
-                        phi_1333_ = 0f;
+                        phi_1326_ = 0f;
                     }
-                    let _e310 = phi_1333_;
+                    let _e310 = phi_1326_;
                     if (_e269 < 8388608f) {
-                        phi_1338_ = (_e307 - _e310);
-                        phi_1339_ = false;
+                        phi_1331_ = (_e307 - _e310);
+                        phi_1332_ = false;
                     } else {
-                        phi_1338_ = f32();
-                        phi_1339_ = true;
+                        phi_1331_ = f32();
+                        phi_1332_ = true;
                     }
-                    let _e313 = phi_1338_;
-                    let _e315 = phi_1339_;
-                    phi_1340_ = _e313;
-                    phi_1341_ = _e315;
+                    let _e313 = phi_1331_;
+                    let _e315 = phi_1332_;
+                    phi_1333_ = _e313;
+                    phi_1334_ = _e315;
                 } else {
-                    phi_1340_ = f32();
-                    phi_1341_ = true;
+                    phi_1333_ = f32();
+                    phi_1334_ = true;
                 }
-                let _e317 = phi_1340_;
-                let _e319 = phi_1341_;
+                let _e317 = phi_1333_;
+                let _e319 = phi_1334_;
                 if _e319 {
-                    phi_1345_ = _e269;
+                    phi_1338_ = _e269;
                 } else {
-                    phi_1345_ = _e317;
+                    phi_1338_ = _e317;
                 }
-                let _e321 = phi_1345_;
+                let _e321 = phi_1338_;
                 let _e322 = (_e268 - _e295);
                 let _e323 = (_e269 - _e321);
                 let _e332 = select(0i, select(select(i32(_e295), i32(-2147483648), (_e295 < bitcast<f32>(3472883712u))), 2147483647i, (_e295 > bitcast<f32>(1325400063u))), (_e295 == _e295));
@@ -1118,56 +1111,56 @@ fn function_() {
                 local_2 = _e352;
                 let _e356 = (bitcast<i32>(_e354) - 1i);
                 if (_e332 > 0i) {
-                    phi_1391_ = _e332;
+                    phi_1384_ = _e332;
                 } else {
-                    phi_1391_ = 0i;
+                    phi_1384_ = 0i;
                 }
-                let _e359 = phi_1391_;
+                let _e359 = phi_1384_;
                 if (_e341 > 0i) {
-                    phi_1396_ = _e341;
+                    phi_1389_ = _e341;
                 } else {
-                    phi_1396_ = 0i;
+                    phi_1389_ = 0i;
                 }
-                let _e362 = phi_1396_;
+                let _e362 = phi_1389_;
                 if (_e359 < _e356) {
-                    phi_1401_ = _e359;
+                    phi_1394_ = _e359;
                 } else {
-                    phi_1401_ = _e356;
+                    phi_1394_ = _e356;
                 }
-                let _e365 = phi_1401_;
+                let _e365 = phi_1394_;
                 if (_e362 < _e356) {
-                    phi_1406_ = _e362;
+                    phi_1399_ = _e362;
                 } else {
-                    phi_1406_ = _e356;
+                    phi_1399_ = _e356;
                 }
-                let _e368 = phi_1406_;
+                let _e368 = phi_1399_;
                 let _e369 = bitcast<u32>(_e365);
                 let _e371 = (_e332 + 1i);
                 let _e372 = (_e341 + 1i);
                 if (_e371 > 0i) {
-                    phi_1415_ = _e371;
+                    phi_1408_ = _e371;
                 } else {
-                    phi_1415_ = 0i;
+                    phi_1408_ = 0i;
                 }
-                let _e375 = phi_1415_;
+                let _e375 = phi_1408_;
                 if (_e372 > 0i) {
-                    phi_1420_ = _e372;
+                    phi_1413_ = _e372;
                 } else {
-                    phi_1420_ = 0i;
+                    phi_1413_ = 0i;
                 }
-                let _e378 = phi_1420_;
+                let _e378 = phi_1413_;
                 if (_e375 < _e356) {
-                    phi_1425_ = _e375;
+                    phi_1418_ = _e375;
                 } else {
-                    phi_1425_ = _e356;
+                    phi_1418_ = _e356;
                 }
-                let _e381 = phi_1425_;
+                let _e381 = phi_1418_;
                 if (_e378 < _e356) {
-                    phi_1430_ = _e378;
+                    phi_1423_ = _e378;
                 } else {
-                    phi_1430_ = _e356;
+                    phi_1423_ = _e356;
                 }
-                let _e384 = phi_1430_;
+                let _e384 = phi_1423_;
                 let _e385 = bitcast<u32>(_e381);
                 let _e387 = (bitcast<u32>(_e368) * _e354);
                 let _e388 = (bitcast<u32>(_e384) * _e354);
@@ -1198,47 +1191,47 @@ fn function_() {
                 let _e454 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e396.x * _e344) + (_e408.x * _e346)) + (_e424.x * _e348)) + (_e440.x * _e349)), ((((_e396.y * _e344) + (_e408.y * _e346)) + (_e424.y * _e348)) + (_e440.y * _e349)), ((((_e396.z * _e344) + (_e408.z * _e346)) + (_e424.z * _e348)) + (_e440.z * _e349)), ((((_e396.w * _e344) + (_e408.w * _e346)) + (_e424.w * _e348)) + (_e440.w * _e349))), _e235);
                 let _e456 = p.member.epsilon;
                 if (_e454 <= _e456) {
-                    phi_1521_ = true;
+                    phi_1514_ = true;
                 } else {
-                    phi_1521_ = (_e454 >= (1f - _e456));
+                    phi_1514_ = (_e454 >= (1f - _e456));
                 }
-                let _e461 = phi_1521_;
+                let _e461 = phi_1514_;
                 if ((bitcast<u32>(_e454) & 2147483647u) > 2139095040u) {
-                    phi_1529_ = true;
+                    phi_1522_ = true;
                 } else {
-                    phi_1529_ = !(_e461);
+                    phi_1522_ = !(_e461);
                 }
-                let _e467 = phi_1529_;
+                let _e467 = phi_1522_;
                 if (_e454 > 0.5f) {
-                    phi_1534_ = 1f;
+                    phi_1527_ = 1f;
                 } else {
-                    phi_1534_ = 0f;
+                    phi_1527_ = 0f;
                 }
-                let _e470 = phi_1534_;
-                phi_1537_ = evaluate_Verdict(_e470, _e467);
+                let _e470 = phi_1527_;
+                phi_1530_ = evaluate_Verdict(_e470, _e467);
             } else {
-                phi_1537_ = evaluate_Verdict(1f, true);
+                phi_1530_ = evaluate_Verdict(1f, true);
             }
-            let _e474 = phi_1537_;
-            phi_1538_ = _e474;
+            let _e474 = phi_1530_;
+            phi_1531_ = _e474;
         }
-        let _e476 = phi_1538_;
+        let _e476 = phi_1531_;
         visibility.member[_e56.first_primitive] = _e476.visibility;
-        phi_1542_ = _e476.is_doubted;
-        phi_1543_ = _e56.first_primitive;
+        phi_1535_ = _e476.is_doubted;
+        phi_1536_ = _e56.first_primitive;
     } else {
-        phi_1542_ = false;
-        phi_1543_ = 0u;
+        phi_1535_ = false;
+        phi_1536_ = 0u;
     }
-    let _e481 = phi_1542_;
-    let _e483 = phi_1543_;
+    let _e481 = phi_1535_;
+    let _e483 = phi_1536_;
     if _e481 {
         let _e485 = atomicAdd((&shared_[0u]), 1u);
-        phi_1549_ = _e485;
+        phi_1542_ = _e485;
     } else {
-        phi_1549_ = 0u;
+        phi_1542_ = 0u;
     }
-    let _e487 = phi_1549_;
+    let _e487 = phi_1542_;
     workgroupBarrier();
     if (_e41 == 0u) {
         let _e491 = atomicLoad((&shared_[0u]));

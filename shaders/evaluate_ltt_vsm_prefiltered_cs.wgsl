@@ -123,14 +123,13 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(par
     var phi_176_: f32;
     var phi_177_: f32;
     var phi_178_: f32;
-    var phi_202_: bool;
-    var phi_206_: f32;
-    var phi_207_: f32;
-    var phi_219_: bool;
-    var phi_226_: f32;
-    var phi_241_: f32;
-    var phi_242_: f32;
-    var phi_243_: f32;
+    var phi_196_: bool;
+    var phi_200_: f32;
+    var phi_212_: bool;
+    var phi_219_: f32;
+    var phi_234_: f32;
+    var phi_235_: f32;
+    var phi_236_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
         phi_178_ = param_6;
@@ -152,111 +151,105 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(par
     let _e50 = phi_178_;
     let _e53 = (*param_4);
     let _e57 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
-    if ((bitcast<u32>(_e57) & 2147483647u) > 2139095040u) {
-        phi_207_ = _e57;
+    if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
+        phi_196_ = true;
     } else {
-        if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
-            phi_202_ = true;
-        } else {
-            let _e64 = (_e53 > _e57);
-            if _e64 {
-            }
-            phi_202_ = _e64;
+        let _e61 = (_e53 > _e57);
+        if _e61 {
         }
-        let _e66 = phi_202_;
-        if _e66 {
-            phi_206_ = _e53;
-        } else {
-            phi_206_ = _e57;
-        }
-        let _e68 = phi_206_;
-        phi_207_ = _e68;
+        phi_196_ = _e61;
     }
-    let _e70 = phi_207_;
-    let _e71 = (_e50 - param_5.x);
-    if (_e71 <= 0f) {
-        let _e75 = ((bitcast<u32>(_e70) & 2147483647u) > 2139095040u);
-        if _e75 {
-        }
-        phi_219_ = _e75;
+    let _e63 = phi_196_;
+    if _e63 {
+        phi_200_ = _e53;
     } else {
-        phi_219_ = true;
+        phi_200_ = _e57;
+    }
+    let _e65 = phi_200_;
+    let _e66 = (_e50 - param_5.x);
+    if (_e66 <= 0f) {
+        let _e70 = ((bitcast<u32>(_e65) & 2147483647u) > 2139095040u);
+        if _e70 {
+        }
+        phi_212_ = _e70;
+    } else {
+        phi_212_ = true;
+    }
+    let _e72 = phi_212_;
+    if _e72 {
+        phi_219_ = (_e65 / (_e65 + (_e66 * _e66)));
+    } else {
+        phi_219_ = 1f;
     }
     let _e77 = phi_219_;
-    if _e77 {
-        phi_226_ = (_e70 / (_e70 + (_e71 * _e71)));
+    if ((bitcast<u32>(_e77) & 2147483647u) > 2139095040u) {
+        phi_236_ = _e77;
     } else {
-        phi_226_ = 1f;
-    }
-    let _e82 = phi_226_;
-    if ((bitcast<u32>(_e82) & 2147483647u) > 2139095040u) {
-        phi_243_ = _e82;
-    } else {
-        if (_e82 < 0f) {
-            phi_242_ = 0f;
+        if (_e77 < 0f) {
+            phi_235_ = 0f;
         } else {
-            if (_e82 > 1f) {
-                phi_241_ = 1f;
+            if (_e77 > 1f) {
+                phi_234_ = 1f;
             } else {
-                phi_241_ = _e82;
+                phi_234_ = _e77;
             }
-            let _e89 = phi_241_;
-            phi_242_ = _e89;
+            let _e84 = phi_234_;
+            phi_235_ = _e84;
         }
-        let _e91 = phi_242_;
-        phi_243_ = _e91;
+        let _e86 = phi_235_;
+        phi_236_ = _e86;
     }
-    let _e93 = phi_243_;
-    return _e93;
+    let _e88 = phi_236_;
+    return _e88;
 }
 
 fn function_() {
     var local_1: f32;
+    var phi_290_: bool;
+    var phi_291_: bool;
+    var phi_292_: bool;
+    var phi_293_: bool;
     var phi_297_: bool;
-    var phi_298_: bool;
-    var phi_299_: bool;
-    var phi_300_: bool;
-    var phi_304_: bool;
-    var phi_348_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_352_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_429_: bool;
-    var phi_438_: bool;
-    var phi_447_: bool;
-    var phi_448_: bool;
-    var phi_449_: bool;
+    var phi_341_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_345_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_422_: bool;
+    var phi_431_: bool;
+    var phi_440_: bool;
+    var phi_441_: bool;
+    var phi_442_: bool;
+    var phi_443_: bool;
+    var phi_444_: bool;
+    var phi_445_: bool;
+    var phi_446_: bool;
     var phi_450_: bool;
-    var phi_451_: bool;
-    var phi_452_: bool;
-    var phi_453_: bool;
-    var phi_457_: bool;
+    var phi_486_: f32;
+    var phi_491_: f32;
+    var phi_492_: bool;
     var phi_493_: f32;
+    var phi_494_: bool;
     var phi_498_: f32;
-    var phi_499_: bool;
-    var phi_500_: f32;
-    var phi_501_: bool;
-    var phi_505_: f32;
+    var phi_518_: f32;
+    var phi_523_: f32;
+    var phi_524_: bool;
     var phi_525_: f32;
+    var phi_526_: bool;
     var phi_530_: f32;
-    var phi_531_: bool;
-    var phi_532_: f32;
-    var phi_533_: bool;
-    var phi_537_: f32;
-    var phi_583_: i32;
-    var phi_588_: i32;
-    var phi_593_: i32;
-    var phi_598_: i32;
-    var phi_607_: i32;
-    var phi_612_: i32;
-    var phi_617_: i32;
-    var phi_622_: i32;
-    var phi_713_: bool;
-    var phi_721_: bool;
-    var phi_726_: f32;
-    var phi_729_: evaluate_Verdict;
-    var phi_730_: evaluate_Verdict;
-    var phi_734_: bool;
-    var phi_735_: u32;
-    var phi_741_: u32;
+    var phi_576_: i32;
+    var phi_581_: i32;
+    var phi_586_: i32;
+    var phi_591_: i32;
+    var phi_600_: i32;
+    var phi_605_: i32;
+    var phi_610_: i32;
+    var phi_615_: i32;
+    var phi_706_: bool;
+    var phi_714_: bool;
+    var phi_719_: f32;
+    var phi_722_: evaluate_Verdict;
+    var phi_723_: evaluate_Verdict;
+    var phi_727_: bool;
+    var phi_728_: u32;
+    var phi_734_: u32;
 
     let _e38 = id_1;
     let _e39 = local_2;
@@ -278,28 +271,28 @@ fn function_() {
             if (_e69 == _e71) {
                 let _e74 = samples.member[_e54.first_primitive].normal[2u];
                 let _e76 = global[2u];
-                phi_297_ = (_e74 == _e76);
-                phi_298_ = false;
+                phi_290_ = (_e74 == _e76);
+                phi_291_ = false;
             } else {
-                phi_297_ = bool();
-                phi_298_ = true;
+                phi_290_ = bool();
+                phi_291_ = true;
             }
-            let _e79 = phi_297_;
-            let _e81 = phi_298_;
-            phi_299_ = _e79;
-            phi_300_ = _e81;
+            let _e79 = phi_290_;
+            let _e81 = phi_291_;
+            phi_292_ = _e79;
+            phi_293_ = _e81;
         } else {
-            phi_299_ = bool();
-            phi_300_ = true;
+            phi_292_ = bool();
+            phi_293_ = true;
         }
-        let _e83 = phi_299_;
-        let _e85 = phi_300_;
+        let _e83 = phi_292_;
+        let _e85 = phi_293_;
         if _e85 {
-            phi_304_ = false;
+            phi_297_ = false;
         } else {
-            phi_304_ = _e83;
+            phi_297_ = _e83;
         }
-        let _e87 = phi_304_;
+        let _e87 = phi_297_;
         if !(_e87) {
             let _e90 = samples.member[_e54.first_primitive].normal;
             let _e92 = samples.member[_e54.first_primitive].position;
@@ -307,22 +300,22 @@ fn function_() {
                 let _e116 = samples.member[_e54.first_primitive].flags;
                 let _e124 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e130 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e124.unnamed.visibility, false), _e124.unnamed_1);
-                phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, ((_e116 & 1u) == 0u));
+                phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, ((_e116 & 1u) == 0u));
             } else {
                 let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
-                phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, true);
+                phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, true);
             }
-            let _e150 = phi_348_;
-            phi_352_ = _e150;
+            let _e150 = phi_341_;
+            phi_345_ = _e150;
         } else {
             let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
-            phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
+            phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
         }
-        let _e167 = phi_352_;
+        let _e167 = phi_345_;
         if _e167.unnamed_1 {
-            phi_730_ = evaluate_Verdict(_e167.unnamed.visibility, _e167.unnamed.is_doubted);
+            phi_723_ = evaluate_Verdict(_e167.unnamed.visibility, _e167.unnamed.is_doubted);
         } else {
             let _e175 = samples.member[_e54.first_primitive].position;
             let _e181 = p.member.projection.row_w;
@@ -335,55 +328,55 @@ fn function_() {
             let _e233 = ((((_e222.x * _e175.x) + (_e222.y * _e175.y)) + (_e222.z * _e175.z)) + (_e222.w * 1f));
             if (_e192 > 0f) {
                 if (_e206 >= 0f) {
-                    phi_429_ = (_e206 <= 1f);
+                    phi_422_ = (_e206 <= 1f);
                 } else {
-                    phi_429_ = false;
+                    phi_422_ = false;
                 }
-                let _e238 = phi_429_;
+                let _e238 = phi_422_;
                 if _e238 {
                     if (_e220 >= 0f) {
-                        phi_438_ = (_e220 <= 1f);
+                        phi_431_ = (_e220 <= 1f);
                     } else {
-                        phi_438_ = false;
+                        phi_431_ = false;
                     }
-                    let _e242 = phi_438_;
+                    let _e242 = phi_431_;
                     if _e242 {
                         if (_e233 >= 0f) {
-                            phi_447_ = (_e233 <= 1f);
+                            phi_440_ = (_e233 <= 1f);
                         } else {
-                            phi_447_ = false;
+                            phi_440_ = false;
                         }
-                        let _e246 = phi_447_;
-                        phi_448_ = _e246;
-                        phi_449_ = false;
+                        let _e246 = phi_440_;
+                        phi_441_ = _e246;
+                        phi_442_ = false;
                     } else {
-                        phi_448_ = bool();
-                        phi_449_ = true;
+                        phi_441_ = bool();
+                        phi_442_ = true;
                     }
-                    let _e248 = phi_448_;
-                    let _e250 = phi_449_;
-                    phi_450_ = _e248;
-                    phi_451_ = _e250;
+                    let _e248 = phi_441_;
+                    let _e250 = phi_442_;
+                    phi_443_ = _e248;
+                    phi_444_ = _e250;
                 } else {
-                    phi_450_ = bool();
-                    phi_451_ = true;
+                    phi_443_ = bool();
+                    phi_444_ = true;
                 }
-                let _e252 = phi_450_;
-                let _e254 = phi_451_;
-                phi_452_ = _e252;
-                phi_453_ = _e254;
+                let _e252 = phi_443_;
+                let _e254 = phi_444_;
+                phi_445_ = _e252;
+                phi_446_ = _e254;
             } else {
-                phi_452_ = bool();
-                phi_453_ = true;
+                phi_445_ = bool();
+                phi_446_ = true;
             }
-            let _e256 = phi_452_;
-            let _e258 = phi_453_;
+            let _e256 = phi_445_;
+            let _e258 = phi_446_;
             if _e258 {
-                phi_457_ = false;
+                phi_450_ = false;
             } else {
-                phi_457_ = _e256;
+                phi_450_ = _e256;
             }
-            let _e260 = phi_457_;
+            let _e260 = phi_450_;
             if _e260 {
                 let _e262 = p.member.map_size;
                 let _e263 = f32(_e262);
@@ -392,65 +385,65 @@ fn function_() {
                 if (_e266 > -8388608f) {
                     let _e279 = f32(select(0i, select(select(i32(_e266), i32(-2147483648), (_e266 < bitcast<f32>(3472883712u))), 2147483647i, (_e266 > bitcast<f32>(1325400063u))), (_e266 == _e266)));
                     if (_e279 > _e266) {
-                        phi_493_ = 1f;
+                        phi_486_ = 1f;
                     } else {
-                        phi_493_ = 0f;
+                        phi_486_ = 0f;
                     }
-                    let _e282 = phi_493_;
+                    let _e282 = phi_486_;
                     if (_e266 < 8388608f) {
-                        phi_498_ = (_e279 - _e282);
-                        phi_499_ = false;
+                        phi_491_ = (_e279 - _e282);
+                        phi_492_ = false;
                     } else {
-                        phi_498_ = f32();
-                        phi_499_ = true;
+                        phi_491_ = f32();
+                        phi_492_ = true;
                     }
-                    let _e285 = phi_498_;
-                    let _e287 = phi_499_;
-                    phi_500_ = _e285;
-                    phi_501_ = _e287;
+                    let _e285 = phi_491_;
+                    let _e287 = phi_492_;
+                    phi_493_ = _e285;
+                    phi_494_ = _e287;
                 } else {
-                    phi_500_ = f32();
-                    phi_501_ = true;
+                    phi_493_ = f32();
+                    phi_494_ = true;
                 }
-                let _e289 = phi_500_;
-                let _e291 = phi_501_;
+                let _e289 = phi_493_;
+                let _e291 = phi_494_;
                 if _e291 {
-                    phi_505_ = _e266;
+                    phi_498_ = _e266;
                 } else {
-                    phi_505_ = _e289;
+                    phi_498_ = _e289;
                 }
-                let _e293 = phi_505_;
+                let _e293 = phi_498_;
                 if (_e267 > -8388608f) {
                     let _e305 = f32(select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)));
                     if (_e305 > _e267) {
-                        phi_525_ = 1f;
+                        phi_518_ = 1f;
                     } else {
-                        phi_525_ = 0f;
+                        phi_518_ = 0f;
                     }
-                    let _e308 = phi_525_;
+                    let _e308 = phi_518_;
                     if (_e267 < 8388608f) {
-                        phi_530_ = (_e305 - _e308);
-                        phi_531_ = false;
+                        phi_523_ = (_e305 - _e308);
+                        phi_524_ = false;
                     } else {
-                        phi_530_ = f32();
-                        phi_531_ = true;
+                        phi_523_ = f32();
+                        phi_524_ = true;
                     }
-                    let _e311 = phi_530_;
-                    let _e313 = phi_531_;
-                    phi_532_ = _e311;
-                    phi_533_ = _e313;
+                    let _e311 = phi_523_;
+                    let _e313 = phi_524_;
+                    phi_525_ = _e311;
+                    phi_526_ = _e313;
                 } else {
-                    phi_532_ = f32();
-                    phi_533_ = true;
+                    phi_525_ = f32();
+                    phi_526_ = true;
                 }
-                let _e315 = phi_532_;
-                let _e317 = phi_533_;
+                let _e315 = phi_525_;
+                let _e317 = phi_526_;
                 if _e317 {
-                    phi_537_ = _e267;
+                    phi_530_ = _e267;
                 } else {
-                    phi_537_ = _e315;
+                    phi_530_ = _e315;
                 }
-                let _e319 = phi_537_;
+                let _e319 = phi_530_;
                 let _e320 = (_e266 - _e293);
                 let _e321 = (_e267 - _e319);
                 let _e330 = select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < bitcast<f32>(3472883712u))), 2147483647i, (_e293 > bitcast<f32>(1325400063u))), (_e293 == _e293));
@@ -465,56 +458,56 @@ fn function_() {
                 local_1 = _e350;
                 let _e354 = (bitcast<i32>(_e352) - 1i);
                 if (_e330 > 0i) {
-                    phi_583_ = _e330;
+                    phi_576_ = _e330;
                 } else {
-                    phi_583_ = 0i;
+                    phi_576_ = 0i;
                 }
-                let _e357 = phi_583_;
+                let _e357 = phi_576_;
                 if (_e339 > 0i) {
-                    phi_588_ = _e339;
+                    phi_581_ = _e339;
                 } else {
-                    phi_588_ = 0i;
+                    phi_581_ = 0i;
                 }
-                let _e360 = phi_588_;
+                let _e360 = phi_581_;
                 if (_e357 < _e354) {
-                    phi_593_ = _e357;
+                    phi_586_ = _e357;
                 } else {
-                    phi_593_ = _e354;
+                    phi_586_ = _e354;
                 }
-                let _e363 = phi_593_;
+                let _e363 = phi_586_;
                 if (_e360 < _e354) {
-                    phi_598_ = _e360;
+                    phi_591_ = _e360;
                 } else {
-                    phi_598_ = _e354;
+                    phi_591_ = _e354;
                 }
-                let _e366 = phi_598_;
+                let _e366 = phi_591_;
                 let _e367 = bitcast<u32>(_e363);
                 let _e369 = (_e330 + 1i);
                 let _e370 = (_e339 + 1i);
                 if (_e369 > 0i) {
-                    phi_607_ = _e369;
+                    phi_600_ = _e369;
                 } else {
-                    phi_607_ = 0i;
+                    phi_600_ = 0i;
                 }
-                let _e373 = phi_607_;
+                let _e373 = phi_600_;
                 if (_e370 > 0i) {
-                    phi_612_ = _e370;
+                    phi_605_ = _e370;
                 } else {
-                    phi_612_ = 0i;
+                    phi_605_ = 0i;
                 }
-                let _e376 = phi_612_;
+                let _e376 = phi_605_;
                 if (_e373 < _e354) {
-                    phi_617_ = _e373;
+                    phi_610_ = _e373;
                 } else {
-                    phi_617_ = _e354;
+                    phi_610_ = _e354;
                 }
-                let _e379 = phi_617_;
+                let _e379 = phi_610_;
                 if (_e376 < _e354) {
-                    phi_622_ = _e376;
+                    phi_615_ = _e376;
                 } else {
-                    phi_622_ = _e354;
+                    phi_615_ = _e354;
                 }
-                let _e382 = phi_622_;
+                let _e382 = phi_615_;
                 let _e383 = bitcast<u32>(_e379);
                 let _e385 = (bitcast<u32>(_e366) * _e352);
                 let _e386 = (bitcast<u32>(_e382) * _e352);
@@ -545,47 +538,47 @@ fn function_() {
                 let _e452 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e394.x * _e342) + (_e406.x * _e344)) + (_e422.x * _e346)) + (_e438.x * _e347)), ((((_e394.y * _e342) + (_e406.y * _e344)) + (_e422.y * _e346)) + (_e438.y * _e347)), ((((_e394.z * _e342) + (_e406.z * _e344)) + (_e422.z * _e346)) + (_e438.z * _e347)), ((((_e394.w * _e342) + (_e406.w * _e344)) + (_e422.w * _e346)) + (_e438.w * _e347))), _e233);
                 let _e454 = p.member.epsilon;
                 if (_e452 <= _e454) {
-                    phi_713_ = true;
+                    phi_706_ = true;
                 } else {
-                    phi_713_ = (_e452 >= (1f - _e454));
+                    phi_706_ = (_e452 >= (1f - _e454));
                 }
-                let _e459 = phi_713_;
+                let _e459 = phi_706_;
                 if ((bitcast<u32>(_e452) & 2147483647u) > 2139095040u) {
-                    phi_721_ = true;
+                    phi_714_ = true;
                 } else {
-                    phi_721_ = !(_e459);
+                    phi_714_ = !(_e459);
                 }
-                let _e465 = phi_721_;
+                let _e465 = phi_714_;
                 if (_e452 > 0.5f) {
-                    phi_726_ = 1f;
+                    phi_719_ = 1f;
                 } else {
-                    phi_726_ = 0f;
+                    phi_719_ = 0f;
                 }
-                let _e468 = phi_726_;
-                phi_729_ = evaluate_Verdict(_e468, _e465);
+                let _e468 = phi_719_;
+                phi_722_ = evaluate_Verdict(_e468, _e465);
             } else {
-                phi_729_ = evaluate_Verdict(1f, true);
+                phi_722_ = evaluate_Verdict(1f, true);
             }
-            let _e472 = phi_729_;
-            phi_730_ = _e472;
+            let _e472 = phi_722_;
+            phi_723_ = _e472;
         }
-        let _e474 = phi_730_;
+        let _e474 = phi_723_;
         visibility.member[_e54.first_primitive] = _e474.visibility;
-        phi_734_ = _e474.is_doubted;
-        phi_735_ = _e54.first_primitive;
+        phi_727_ = _e474.is_doubted;
+        phi_728_ = _e54.first_primitive;
     } else {
-        phi_734_ = false;
-        phi_735_ = 0u;
+        phi_727_ = false;
+        phi_728_ = 0u;
     }
-    let _e479 = phi_734_;
-    let _e481 = phi_735_;
+    let _e479 = phi_727_;
+    let _e481 = phi_728_;
     if _e479 {
         let _e483 = atomicAdd((&shared_[0u]), 1u);
-        phi_741_ = _e483;
+        phi_734_ = _e483;
     } else {
-        phi_741_ = 0u;
+        phi_734_ = 0u;
     }
-    let _e485 = phi_741_;
+    let _e485 = phi_734_;
     workgroupBarrier();
     if (_e39 == 0u) {
         let _e489 = atomicLoad((&shared_[0u]));

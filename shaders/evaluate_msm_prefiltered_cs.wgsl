@@ -108,28 +108,28 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_187_: f32;
-    var phi_188_: f32;
-    var phi_189_: f32;
-    var phi_195_: bool;
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_219_: f32;
-    var phi_220_: f32;
-    var phi_221_: bool;
-    var phi_222_: f32;
-    var phi_223_: bool;
-    var phi_261_: vec2<f32>;
-    var phi_295_: f32;
-    var phi_296_: f32;
-    var phi_297_: f32;
-    var phi_326_: f32;
-    var phi_327_: f32;
-    var phi_328_: f32;
-    var phi_332_: f32;
-    var phi_333_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
+    var phi_667_: f32;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_675_: bool;
+    var phi_697_: f32;
+    var phi_698_: f32;
+    var phi_699_: f32;
+    var phi_700_: f32;
+    var phi_701_: bool;
+    var phi_702_: f32;
+    var phi_703_: bool;
+    var phi_741_: vec2<f32>;
+    var phi_775_: f32;
+    var phi_776_: f32;
+    var phi_777_: f32;
+    var phi_806_: f32;
+    var phi_807_: f32;
+    var phi_808_: f32;
+    var phi_812_: f32;
+    var phi_813_: f32;
+    var phi_814_: f32;
+    var phi_815_: f32;
 
     let _e36 = (*param_4);
     let _e37 = (1f - _e36);
@@ -140,65 +140,65 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     let _e52 = (_e48 - (_e47 * _e47));
     let _e54 = (((param_5.z * _e37) + _e46) - (_e47 * _e48));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_189_ = param_6;
+        phi_669_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_188_ = 0f;
+            phi_668_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_187_ = 1f;
+                phi_667_ = 1f;
             } else {
-                phi_187_ = param_6;
+                phi_667_ = param_6;
             }
-            let _e66 = phi_187_;
-            phi_188_ = _e66;
+            let _e66 = phi_667_;
+            phi_668_ = _e66;
         }
-        let _e68 = phi_188_;
-        phi_189_ = _e68;
+        let _e68 = phi_668_;
+        phi_669_ = _e68;
     }
-    let _e70 = phi_189_;
+    let _e70 = phi_669_;
     if (_e47 == _e50) {
-        phi_195_ = (_e47 > 0.5f);
+        phi_675_ = (_e47 > 0.5f);
     } else {
-        phi_195_ = false;
+        phi_675_ = false;
     }
-    let _e74 = phi_195_;
+    let _e74 = phi_675_;
     if _e74 {
         if (_e70 > 0f) {
             if ((bitcast<u32>(_e47) & 2147483647u) > 2139095040u) {
-                phi_219_ = _e47;
+                phi_699_ = _e47;
             } else {
                 if (_e47 < 0f) {
-                    phi_218_ = 0f;
+                    phi_698_ = 0f;
                 } else {
                     if (_e47 > 1f) {
-                        phi_217_ = 1f;
+                        phi_697_ = 1f;
                     } else {
-                        phi_217_ = _e47;
+                        phi_697_ = _e47;
                     }
-                    let _e82 = phi_217_;
-                    phi_218_ = _e82;
+                    let _e82 = phi_697_;
+                    phi_698_ = _e82;
                 }
-                let _e84 = phi_218_;
-                phi_219_ = _e84;
+                let _e84 = phi_698_;
+                phi_699_ = _e84;
             }
-            let _e86 = phi_219_;
-            phi_220_ = _e86;
-            phi_221_ = false;
+            let _e86 = phi_699_;
+            phi_700_ = _e86;
+            phi_701_ = false;
         } else {
-            phi_220_ = f32();
-            phi_221_ = true;
+            phi_700_ = f32();
+            phi_701_ = true;
         }
-        let _e88 = phi_220_;
-        let _e90 = phi_221_;
-        phi_222_ = _e88;
-        phi_223_ = _e90;
+        let _e88 = phi_700_;
+        let _e90 = phi_701_;
+        phi_702_ = _e88;
+        phi_703_ = _e90;
     } else {
-        phi_222_ = f32();
-        phi_223_ = true;
+        phi_702_ = f32();
+        phi_703_ = true;
     }
-    let _e92 = phi_222_;
-    let _e94 = phi_223_;
+    let _e92 = phi_702_;
+    let _e94 = phi_703_;
     if _e94 {
         let _e95 = (_e54 / _e52);
         let _e96 = (_e70 - _e47);
@@ -208,121 +208,121 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
         let _e114 = ((_e111 * _e111) - (((1f - (_e105 * _e47)) - (_e102 * _e48)) / _e102));
         if (_e114 >= 0f) {
             let _e116 = sqrt(_e114);
-            phi_261_ = vec2<f32>((-(_e111) - _e116), (-(_e111) + _e116));
+            phi_741_ = vec2<f32>((-(_e111) - _e116), (-(_e111) + _e116));
         } else {
-            phi_261_ = vec2(bitcast<f32>((bitcast<u32>(_e114) | 2143289344u)));
+            phi_741_ = vec2(bitcast<f32>((bitcast<u32>(_e114) | 2143289344u)));
         }
-        let _e127 = phi_261_;
+        let _e127 = phi_741_;
         if (_e70 <= _e127.x) {
-            phi_334_ = 1f;
+            phi_814_ = 1f;
         } else {
             if (_e70 > _e127.y) {
                 let _e140 = (((_e48 - (_e47 * (_e127.x + _e127.y))) + (_e127.x * _e127.y)) / ((_e70 - _e127.x) * (_e70 - _e127.y)));
                 if ((bitcast<u32>(_e140) & 2147483647u) > 2139095040u) {
-                    phi_297_ = _e140;
+                    phi_777_ = _e140;
                 } else {
                     if (_e140 < 0f) {
-                        phi_296_ = 0f;
+                        phi_776_ = 0f;
                     } else {
                         if (_e140 > 1f) {
-                            phi_295_ = 1f;
+                            phi_775_ = 1f;
                         } else {
-                            phi_295_ = _e140;
+                            phi_775_ = _e140;
                         }
-                        let _e147 = phi_295_;
-                        phi_296_ = _e147;
+                        let _e147 = phi_775_;
+                        phi_776_ = _e147;
                     }
-                    let _e149 = phi_296_;
-                    phi_297_ = _e149;
+                    let _e149 = phi_776_;
+                    phi_777_ = _e149;
                 }
-                let _e151 = phi_297_;
-                phi_333_ = _e151;
+                let _e151 = phi_777_;
+                phi_813_ = _e151;
             } else {
                 if (_e70 > _e127.x) {
                     let _e162 = (1f - (((_e48 - (_e47 * (_e70 + _e127.y))) + (_e70 * _e127.y)) / ((_e127.x - _e70) * (_e127.x - _e127.y))));
                     if ((bitcast<u32>(_e162) & 2147483647u) > 2139095040u) {
-                        phi_328_ = _e162;
+                        phi_808_ = _e162;
                     } else {
                         if (_e162 < 0f) {
-                            phi_327_ = 0f;
+                            phi_807_ = 0f;
                         } else {
                             if (_e162 > 1f) {
-                                phi_326_ = 1f;
+                                phi_806_ = 1f;
                             } else {
-                                phi_326_ = _e162;
+                                phi_806_ = _e162;
                             }
-                            let _e169 = phi_326_;
-                            phi_327_ = _e169;
+                            let _e169 = phi_806_;
+                            phi_807_ = _e169;
                         }
-                        let _e171 = phi_327_;
-                        phi_328_ = _e171;
+                        let _e171 = phi_807_;
+                        phi_808_ = _e171;
                     }
-                    let _e173 = phi_328_;
-                    phi_332_ = _e173;
+                    let _e173 = phi_808_;
+                    phi_812_ = _e173;
                 } else {
-                    phi_332_ = bitcast<f32>((bitcast<u32>(_e127.x) | 2143289344u));
+                    phi_812_ = bitcast<f32>((bitcast<u32>(_e127.x) | 2143289344u));
                 }
-                let _e178 = phi_332_;
-                phi_333_ = _e178;
+                let _e178 = phi_812_;
+                phi_813_ = _e178;
             }
-            let _e180 = phi_333_;
-            phi_334_ = _e180;
+            let _e180 = phi_813_;
+            phi_814_ = _e180;
         }
-        let _e182 = phi_334_;
-        phi_335_ = _e182;
+        let _e182 = phi_814_;
+        phi_815_ = _e182;
     } else {
-        phi_335_ = _e92;
+        phi_815_ = _e92;
     }
-    let _e184 = phi_335_;
+    let _e184 = phi_815_;
     return _e184;
 }
 
 fn function_() {
     var local: f32;
-    var phi_389_: bool;
-    var phi_390_: bool;
-    var phi_391_: bool;
-    var phi_392_: bool;
-    var phi_396_: bool;
-    var phi_440_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_444_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_521_: bool;
-    var phi_530_: bool;
-    var phi_539_: bool;
-    var phi_540_: bool;
-    var phi_541_: bool;
-    var phi_542_: bool;
-    var phi_543_: bool;
-    var phi_544_: bool;
-    var phi_545_: bool;
-    var phi_549_: bool;
-    var phi_585_: f32;
-    var phi_590_: f32;
-    var phi_591_: bool;
-    var phi_592_: f32;
-    var phi_593_: bool;
-    var phi_597_: f32;
-    var phi_617_: f32;
-    var phi_622_: f32;
-    var phi_623_: bool;
-    var phi_624_: f32;
-    var phi_625_: bool;
-    var phi_629_: f32;
-    var phi_675_: i32;
-    var phi_680_: i32;
-    var phi_685_: i32;
-    var phi_690_: i32;
-    var phi_699_: i32;
-    var phi_704_: i32;
-    var phi_709_: i32;
-    var phi_714_: i32;
-    var phi_799_: evaluate_Verdict;
-    var phi_800_: evaluate_Verdict;
-    var phi_801_: bool;
-    var phi_802_: evaluate_Verdict;
-    var phi_803_: evaluate_Verdict;
-    var phi_804_: bool;
-    var phi_808_: evaluate_Verdict;
+    var phi_198_: bool;
+    var phi_199_: bool;
+    var phi_200_: bool;
+    var phi_201_: bool;
+    var phi_205_: bool;
+    var phi_249_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_253_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_330_: bool;
+    var phi_339_: bool;
+    var phi_348_: bool;
+    var phi_349_: bool;
+    var phi_350_: bool;
+    var phi_351_: bool;
+    var phi_352_: bool;
+    var phi_353_: bool;
+    var phi_354_: bool;
+    var phi_358_: bool;
+    var phi_394_: f32;
+    var phi_399_: f32;
+    var phi_400_: bool;
+    var phi_401_: f32;
+    var phi_402_: bool;
+    var phi_406_: f32;
+    var phi_426_: f32;
+    var phi_431_: f32;
+    var phi_432_: bool;
+    var phi_433_: f32;
+    var phi_434_: bool;
+    var phi_438_: f32;
+    var phi_484_: i32;
+    var phi_489_: i32;
+    var phi_494_: i32;
+    var phi_499_: i32;
+    var phi_508_: i32;
+    var phi_513_: i32;
+    var phi_518_: i32;
+    var phi_523_: i32;
+    var phi_608_: evaluate_Verdict;
+    var phi_609_: evaluate_Verdict;
+    var phi_610_: bool;
+    var phi_611_: evaluate_Verdict;
+    var phi_612_: evaluate_Verdict;
+    var phi_613_: bool;
+    var phi_617_: evaluate_Verdict;
 
     let _e34 = id_1;
     let _e41 = arrayLength((&map.member));
@@ -343,28 +343,28 @@ fn function_() {
             if (_e67 == _e69) {
                 let _e72 = samples.member[(0u + _e50.first_primitive)].normal[2u];
                 let _e74 = global[2u];
-                phi_389_ = (_e72 == _e74);
-                phi_390_ = false;
+                phi_198_ = (_e72 == _e74);
+                phi_199_ = false;
             } else {
-                phi_389_ = bool();
-                phi_390_ = true;
+                phi_198_ = bool();
+                phi_199_ = true;
             }
-            let _e77 = phi_389_;
-            let _e79 = phi_390_;
-            phi_391_ = _e77;
-            phi_392_ = _e79;
+            let _e77 = phi_198_;
+            let _e79 = phi_199_;
+            phi_200_ = _e77;
+            phi_201_ = _e79;
         } else {
-            phi_391_ = bool();
-            phi_392_ = true;
+            phi_200_ = bool();
+            phi_201_ = true;
         }
-        let _e81 = phi_391_;
-        let _e83 = phi_392_;
+        let _e81 = phi_200_;
+        let _e83 = phi_201_;
         if _e83 {
-            phi_396_ = false;
+            phi_205_ = false;
         } else {
-            phi_396_ = _e81;
+            phi_205_ = _e81;
         }
-        let _e85 = phi_396_;
+        let _e85 = phi_205_;
         if !(_e85) {
             let _e88 = samples.member[(0u + _e50.first_primitive)].normal;
             let _e90 = samples.member[(0u + _e50.first_primitive)].position;
@@ -372,24 +372,24 @@ fn function_() {
                 let _e114 = samples.member[(0u + _e50.first_primitive)].flags;
                 let _e122 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e122.unnamed.visibility, false), _e122.unnamed_1);
-                phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e128.unnamed, ((_e114 & 1u) == 0u));
+                phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e128.unnamed, ((_e114 & 1u) == 0u));
             } else {
                 let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
-                phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, true);
+                phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, true);
             }
-            let _e148 = phi_440_;
-            phi_444_ = _e148;
+            let _e148 = phi_249_;
+            phi_253_ = _e148;
         } else {
             let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e154.unnamed.visibility, false), _e154.unnamed_1);
-            phi_444_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e160.unnamed, true);
+            phi_253_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e160.unnamed, true);
         }
-        let _e165 = phi_444_;
+        let _e165 = phi_253_;
         if _e165.unnamed_1 {
-            phi_802_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
-            phi_803_ = evaluate_Verdict();
-            phi_804_ = true;
+            phi_611_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
+            phi_612_ = evaluate_Verdict();
+            phi_613_ = true;
         } else {
             let _e173 = samples.member[(0u + _e50.first_primitive)].position;
             let _e179 = p.member.projection.row_w;
@@ -402,55 +402,55 @@ fn function_() {
             let _e231 = ((((_e220.x * _e173.x) + (_e220.y * _e173.y)) + (_e220.z * _e173.z)) + (_e220.w * 1f));
             if (_e190 > 0f) {
                 if (_e204 >= 0f) {
-                    phi_521_ = (_e204 <= 1f);
+                    phi_330_ = (_e204 <= 1f);
                 } else {
-                    phi_521_ = false;
+                    phi_330_ = false;
                 }
-                let _e236 = phi_521_;
+                let _e236 = phi_330_;
                 if _e236 {
                     if (_e218 >= 0f) {
-                        phi_530_ = (_e218 <= 1f);
+                        phi_339_ = (_e218 <= 1f);
                     } else {
-                        phi_530_ = false;
+                        phi_339_ = false;
                     }
-                    let _e240 = phi_530_;
+                    let _e240 = phi_339_;
                     if _e240 {
                         if (_e231 >= 0f) {
-                            phi_539_ = (_e231 <= 1f);
+                            phi_348_ = (_e231 <= 1f);
                         } else {
-                            phi_539_ = false;
+                            phi_348_ = false;
                         }
-                        let _e244 = phi_539_;
-                        phi_540_ = _e244;
-                        phi_541_ = false;
+                        let _e244 = phi_348_;
+                        phi_349_ = _e244;
+                        phi_350_ = false;
                     } else {
-                        phi_540_ = bool();
-                        phi_541_ = true;
+                        phi_349_ = bool();
+                        phi_350_ = true;
                     }
-                    let _e246 = phi_540_;
-                    let _e248 = phi_541_;
-                    phi_542_ = _e246;
-                    phi_543_ = _e248;
+                    let _e246 = phi_349_;
+                    let _e248 = phi_350_;
+                    phi_351_ = _e246;
+                    phi_352_ = _e248;
                 } else {
-                    phi_542_ = bool();
-                    phi_543_ = true;
+                    phi_351_ = bool();
+                    phi_352_ = true;
                 }
-                let _e250 = phi_542_;
-                let _e252 = phi_543_;
-                phi_544_ = _e250;
-                phi_545_ = _e252;
+                let _e250 = phi_351_;
+                let _e252 = phi_352_;
+                phi_353_ = _e250;
+                phi_354_ = _e252;
             } else {
-                phi_544_ = bool();
-                phi_545_ = true;
+                phi_353_ = bool();
+                phi_354_ = true;
             }
-            let _e254 = phi_544_;
-            let _e256 = phi_545_;
+            let _e254 = phi_353_;
+            let _e256 = phi_354_;
             if _e256 {
-                phi_549_ = false;
+                phi_358_ = false;
             } else {
-                phi_549_ = _e254;
+                phi_358_ = _e254;
             }
-            let _e258 = phi_549_;
+            let _e258 = phi_358_;
             if _e258 {
                 let _e260 = p.member.map_size;
                 let _e261 = f32(_e260);
@@ -459,65 +459,65 @@ fn function_() {
                 if (_e264 > -8388608f) {
                     let _e277 = f32(select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)));
                     if (_e277 > _e264) {
-                        phi_585_ = 1f;
+                        phi_394_ = 1f;
                     } else {
-                        phi_585_ = 0f;
+                        phi_394_ = 0f;
                     }
-                    let _e280 = phi_585_;
+                    let _e280 = phi_394_;
                     if (_e264 < 8388608f) {
-                        phi_590_ = (_e277 - _e280);
-                        phi_591_ = false;
+                        phi_399_ = (_e277 - _e280);
+                        phi_400_ = false;
                     } else {
-                        phi_590_ = f32();
-                        phi_591_ = true;
+                        phi_399_ = f32();
+                        phi_400_ = true;
                     }
-                    let _e283 = phi_590_;
-                    let _e285 = phi_591_;
-                    phi_592_ = _e283;
-                    phi_593_ = _e285;
+                    let _e283 = phi_399_;
+                    let _e285 = phi_400_;
+                    phi_401_ = _e283;
+                    phi_402_ = _e285;
                 } else {
-                    phi_592_ = f32();
-                    phi_593_ = true;
+                    phi_401_ = f32();
+                    phi_402_ = true;
                 }
-                let _e287 = phi_592_;
-                let _e289 = phi_593_;
+                let _e287 = phi_401_;
+                let _e289 = phi_402_;
                 if _e289 {
-                    phi_597_ = _e264;
+                    phi_406_ = _e264;
                 } else {
-                    phi_597_ = _e287;
+                    phi_406_ = _e287;
                 }
-                let _e291 = phi_597_;
+                let _e291 = phi_406_;
                 if (_e265 > -8388608f) {
                     let _e303 = f32(select(0i, select(select(i32(_e265), i32(-2147483648), (_e265 < bitcast<f32>(3472883712u))), 2147483647i, (_e265 > bitcast<f32>(1325400063u))), (_e265 == _e265)));
                     if (_e303 > _e265) {
-                        phi_617_ = 1f;
+                        phi_426_ = 1f;
                     } else {
-                        phi_617_ = 0f;
+                        phi_426_ = 0f;
                     }
-                    let _e306 = phi_617_;
+                    let _e306 = phi_426_;
                     if (_e265 < 8388608f) {
-                        phi_622_ = (_e303 - _e306);
-                        phi_623_ = false;
+                        phi_431_ = (_e303 - _e306);
+                        phi_432_ = false;
                     } else {
-                        phi_622_ = f32();
-                        phi_623_ = true;
+                        phi_431_ = f32();
+                        phi_432_ = true;
                     }
-                    let _e309 = phi_622_;
-                    let _e311 = phi_623_;
-                    phi_624_ = _e309;
-                    phi_625_ = _e311;
+                    let _e309 = phi_431_;
+                    let _e311 = phi_432_;
+                    phi_433_ = _e309;
+                    phi_434_ = _e311;
                 } else {
-                    phi_624_ = f32();
-                    phi_625_ = true;
+                    phi_433_ = f32();
+                    phi_434_ = true;
                 }
-                let _e313 = phi_624_;
-                let _e315 = phi_625_;
+                let _e313 = phi_433_;
+                let _e315 = phi_434_;
                 if _e315 {
-                    phi_629_ = _e265;
+                    phi_438_ = _e265;
                 } else {
-                    phi_629_ = _e313;
+                    phi_438_ = _e313;
                 }
-                let _e317 = phi_629_;
+                let _e317 = phi_438_;
                 let _e318 = (_e264 - _e291);
                 let _e319 = (_e265 - _e317);
                 let _e328 = select(0i, select(select(i32(_e291), i32(-2147483648), (_e291 < bitcast<f32>(3472883712u))), 2147483647i, (_e291 > bitcast<f32>(1325400063u))), (_e291 == _e291));
@@ -532,56 +532,56 @@ fn function_() {
                 local = _e348;
                 let _e352 = (bitcast<i32>(_e350) - 1i);
                 if (_e328 > 0i) {
-                    phi_675_ = _e328;
+                    phi_484_ = _e328;
                 } else {
-                    phi_675_ = 0i;
+                    phi_484_ = 0i;
                 }
-                let _e355 = phi_675_;
+                let _e355 = phi_484_;
                 if (_e337 > 0i) {
-                    phi_680_ = _e337;
+                    phi_489_ = _e337;
                 } else {
-                    phi_680_ = 0i;
+                    phi_489_ = 0i;
                 }
-                let _e358 = phi_680_;
+                let _e358 = phi_489_;
                 if (_e355 < _e352) {
-                    phi_685_ = _e355;
+                    phi_494_ = _e355;
                 } else {
-                    phi_685_ = _e352;
+                    phi_494_ = _e352;
                 }
-                let _e361 = phi_685_;
+                let _e361 = phi_494_;
                 if (_e358 < _e352) {
-                    phi_690_ = _e358;
+                    phi_499_ = _e358;
                 } else {
-                    phi_690_ = _e352;
+                    phi_499_ = _e352;
                 }
-                let _e364 = phi_690_;
+                let _e364 = phi_499_;
                 let _e365 = bitcast<u32>(_e361);
                 let _e367 = (_e328 + 1i);
                 let _e368 = (_e337 + 1i);
                 if (_e367 > 0i) {
-                    phi_699_ = _e367;
+                    phi_508_ = _e367;
                 } else {
-                    phi_699_ = 0i;
+                    phi_508_ = 0i;
                 }
-                let _e371 = phi_699_;
+                let _e371 = phi_508_;
                 if (_e368 > 0i) {
-                    phi_704_ = _e368;
+                    phi_513_ = _e368;
                 } else {
-                    phi_704_ = 0i;
+                    phi_513_ = 0i;
                 }
-                let _e374 = phi_704_;
+                let _e374 = phi_513_;
                 if (_e371 < _e352) {
-                    phi_709_ = _e371;
+                    phi_518_ = _e371;
                 } else {
-                    phi_709_ = _e352;
+                    phi_518_ = _e352;
                 }
-                let _e377 = phi_709_;
+                let _e377 = phi_518_;
                 if (_e374 < _e352) {
-                    phi_714_ = _e374;
+                    phi_523_ = _e374;
                 } else {
-                    phi_714_ = _e352;
+                    phi_523_ = _e352;
                 }
-                let _e380 = phi_714_;
+                let _e380 = phi_523_;
                 let _e381 = bitcast<u32>(_e377);
                 let _e383 = (bitcast<u32>(_e364) * _e350);
                 let _e384 = (bitcast<u32>(_e380) * _e350);
@@ -610,30 +610,30 @@ fn function_() {
                 }
                 let _e436 = map.member[(0u + _e388)];
                 let _e450 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e392.x * _e340) + (_e404.x * _e342)) + (_e420.x * _e344)) + (_e436.x * _e345)), ((((_e392.y * _e340) + (_e404.y * _e342)) + (_e420.y * _e344)) + (_e436.y * _e345)), ((((_e392.z * _e340) + (_e404.z * _e342)) + (_e420.z * _e344)) + (_e436.z * _e345)), ((((_e392.w * _e340) + (_e404.w * _e342)) + (_e420.w * _e344)) + (_e436.w * _e345))), _e231);
-                phi_799_ = evaluate_Verdict(_e450, false);
-                phi_800_ = evaluate_Verdict();
-                phi_801_ = false;
+                phi_608_ = evaluate_Verdict(_e450, false);
+                phi_609_ = evaluate_Verdict();
+                phi_610_ = false;
             } else {
-                phi_799_ = evaluate_Verdict();
-                phi_800_ = evaluate_Verdict(1f, false);
-                phi_801_ = true;
+                phi_608_ = evaluate_Verdict();
+                phi_609_ = evaluate_Verdict(1f, false);
+                phi_610_ = true;
             }
-            let _e454 = phi_799_;
-            let _e456 = phi_800_;
-            let _e458 = phi_801_;
-            phi_802_ = _e456;
-            phi_803_ = _e454;
-            phi_804_ = _e458;
+            let _e454 = phi_608_;
+            let _e456 = phi_609_;
+            let _e458 = phi_610_;
+            phi_611_ = _e456;
+            phi_612_ = _e454;
+            phi_613_ = _e458;
         }
-        let _e460 = phi_802_;
-        let _e462 = phi_803_;
-        let _e464 = phi_804_;
+        let _e460 = phi_611_;
+        let _e462 = phi_612_;
+        let _e464 = phi_613_;
         if _e464 {
-            phi_808_ = _e460;
+            phi_617_ = _e460;
         } else {
-            phi_808_ = _e462;
+            phi_617_ = _e462;
         }
-        let _e466 = phi_808_;
+        let _e466 = phi_617_;
         if (_e50.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;

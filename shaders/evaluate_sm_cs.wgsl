@@ -404,10 +404,10 @@ fn function_() {
                 let _e287 = p.member.projection.row_y;
                 let _e309 = p.member.projection.row_z;
                 let _e336 = ((abs(((((_e265.x * _e260.x) + (_e265.y * _e260.y)) + (_e265.z * _e260.z)) / (((_e265.x * _e265.x) + (_e265.y * _e265.y)) + (_e265.z * _e265.z)))) + abs(((((_e287.x * _e260.x) + (_e287.y * _e260.y)) + (_e287.z * _e260.z)) / (((_e287.x * _e287.x) + (_e287.y * _e287.y)) + (_e287.z * _e287.z))))) / (abs(((((_e309.x * _e260.x) + (_e309.y * _e260.y)) + (_e309.z * _e260.z)) / (((_e309.x * _e309.x) + (_e309.y * _e309.y)) + (_e309.z * _e309.z)))) * f32(_e262)));
-                if (_e336 < 0.02f) {
+                if (_e336 < 0.002f) {
                     phi_440_ = _e336;
                 } else {
-                    phi_440_ = 0.02f;
+                    phi_440_ = 0.002f;
                 }
                 let _e339 = phi_440_;
                 let _e341 = p.member.map_size;

@@ -66,36 +66,36 @@ var<storage> map: type_21;
 var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_120_: lt_bvh_traverse_Tree;
-    var phi_121_: bool;
-    var phi_122_: lt_bvh_traverse_Tree;
-    var phi_123_: bool;
-    var phi_128_: lt_bvh_traverse_Tree;
+    var phi_121_: lt_bvh_traverse_Tree;
+    var phi_122_: bool;
+    var phi_123_: lt_bvh_traverse_Tree;
+    var phi_124_: bool;
+    var phi_129_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_120_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_121_ = false;
+            phi_121_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_122_ = false;
         } else {
-            phi_120_ = lt_bvh_traverse_Tree();
-            phi_121_ = true;
+            phi_121_ = lt_bvh_traverse_Tree();
+            phi_122_ = true;
         }
-        let _e45 = phi_120_;
-        let _e47 = phi_121_;
-        phi_122_ = _e45;
-        phi_123_ = _e47;
+        let _e45 = phi_121_;
+        let _e47 = phi_122_;
+        phi_123_ = _e45;
+        phi_124_ = _e47;
     } else {
-        phi_122_ = lt_bvh_traverse_Tree();
-        phi_123_ = true;
+        phi_123_ = lt_bvh_traverse_Tree();
+        phi_124_ = true;
     }
-    let _e49 = phi_122_;
-    let _e51 = phi_123_;
+    let _e49 = phi_123_;
+    let _e51 = phi_124_;
     if _e51 {
-        phi_128_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_129_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_128_ = _e49;
+        phi_129_ = _e49;
     }
-    let _e56 = phi_128_;
+    let _e56 = phi_129_;
     return lt_bvh_traverse_Tree(_e56.root, _e56.first_primitive);
 }
 
@@ -104,67 +104,65 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_590_: f32;
     var phi_591_: f32;
     var phi_592_: f32;
-    var phi_608_: f32;
+    var phi_593_: f32;
     var phi_609_: f32;
     var phi_610_: f32;
+    var phi_611_: f32;
     var phi_627_: f32;
     var phi_628_: f32;
     var phi_629_: f32;
+    var phi_645_: f32;
     var phi_646_: f32;
     var phi_647_: f32;
-    var phi_648_: f32;
+    var phi_663_: f32;
+    var phi_664_: f32;
     var phi_665_: f32;
-    var phi_666_: f32;
-    var phi_667_: f32;
-    var phi_716_: bool;
-    var phi_720_: f32;
-    var phi_721_: f32;
-    var phi_733_: bool;
-    var phi_740_: f32;
-    var phi_755_: f32;
-    var phi_756_: f32;
-    var phi_757_: f32;
+    var phi_711_: bool;
+    var phi_715_: f32;
+    var phi_727_: bool;
+    var phi_734_: f32;
+    var phi_749_: f32;
+    var phi_750_: f32;
+    var phi_751_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_592_ = param_7;
+        phi_593_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_591_ = 0f;
+            phi_592_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_590_ = 1f;
+                phi_591_ = 1f;
             } else {
-                phi_590_ = param_7;
+                phi_591_ = param_7;
             }
-            let _e42 = phi_590_;
-            phi_591_ = _e42;
+            let _e42 = phi_591_;
+            phi_592_ = _e42;
         }
-        let _e44 = phi_591_;
-        phi_592_ = _e44;
+        let _e44 = phi_592_;
+        phi_593_ = _e44;
     }
-    let _e46 = phi_592_;
+    let _e46 = phi_593_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_610_ = param_5.x;
+        phi_611_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_609_ = 0f;
+            phi_610_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_608_ = 1f;
+                phi_609_ = 1f;
             } else {
-                phi_608_ = param_5.x;
+                phi_609_ = param_5.x;
             }
-            let _e54 = phi_608_;
-            phi_609_ = _e54;
+            let _e54 = phi_609_;
+            phi_610_ = _e54;
         }
-        let _e56 = phi_609_;
-        phi_610_ = _e56;
+        let _e56 = phi_610_;
+        phi_611_ = _e56;
     }
-    let _e58 = phi_610_;
-    let _e59 = (_e58 - _e46);
+    let _e58 = phi_611_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
         phi_629_ = param_5.y;
     } else {
@@ -176,163 +174,158 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_
             } else {
                 phi_627_ = param_5.y;
             }
-            let _e67 = phi_627_;
-            phi_628_ = _e67;
+            let _e66 = phi_627_;
+            phi_628_ = _e66;
         }
-        let _e69 = phi_628_;
-        phi_629_ = _e69;
+        let _e68 = phi_628_;
+        phi_629_ = _e68;
     }
-    let _e71 = phi_629_;
-    let _e72 = (_e71 - _e46);
+    let _e70 = phi_629_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_648_ = param_5.z;
+        phi_647_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_647_ = 0f;
+            phi_646_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_646_ = 1f;
+                phi_645_ = 1f;
             } else {
-                phi_646_ = param_5.z;
+                phi_645_ = param_5.z;
             }
-            let _e80 = phi_646_;
-            phi_647_ = _e80;
+            let _e78 = phi_645_;
+            phi_646_ = _e78;
         }
-        let _e82 = phi_647_;
-        phi_648_ = _e82;
+        let _e80 = phi_646_;
+        phi_647_ = _e80;
     }
-    let _e84 = phi_648_;
-    let _e85 = (_e84 - _e46);
+    let _e82 = phi_647_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_667_ = param_5.w;
+        phi_665_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_666_ = 0f;
+            phi_664_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_665_ = 1f;
+                phi_663_ = 1f;
             } else {
-                phi_665_ = param_5.w;
+                phi_663_ = param_5.w;
             }
-            let _e93 = phi_665_;
-            phi_666_ = _e93;
+            let _e90 = phi_663_;
+            phi_664_ = _e90;
         }
-        let _e95 = phi_666_;
-        phi_667_ = _e95;
+        let _e92 = phi_664_;
+        phi_665_ = _e92;
     }
-    let _e97 = phi_667_;
-    let _e98 = (_e97 - _e46);
+    let _e94 = phi_665_;
+    let _e95 = (_e58 - _e46);
+    let _e96 = (_e70 - _e46);
+    let _e97 = (_e82 - _e46);
+    let _e98 = (_e94 - _e46);
     let _e99 = (*param_4);
-    let _e110 = ((((_e59 * param_6.x) + (_e72 * param_6.y)) + (_e85 * param_6.z)) + (_e98 * param_6.w));
-    let _e111 = (_e59 - _e110);
-    let _e112 = (_e72 - _e110);
-    let _e113 = (_e85 - _e110);
+    let _e110 = ((((_e95 * param_6.x) + (_e96 * param_6.y)) + (_e97 * param_6.z)) + (_e98 * param_6.w));
+    let _e111 = (_e95 - _e110);
+    let _e112 = (_e96 - _e110);
+    let _e113 = (_e97 - _e110);
     let _e114 = (_e98 - _e110);
     let _e129 = (((((_e111 * _e111) * param_6.x) + ((_e112 * _e112) * param_6.y)) + ((_e113 * _e113) * param_6.z)) + ((_e114 * _e114) * param_6.w));
-    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
-        phi_721_ = _e129;
+    if ((bitcast<u32>(_e99) & 2147483647u) > 2139095040u) {
+        phi_711_ = true;
     } else {
-        if ((bitcast<u32>(_e99) & 2147483647u) > 2139095040u) {
-            phi_716_ = true;
-        } else {
-            let _e136 = (_e99 > _e129);
-            if _e136 {
-            }
-            phi_716_ = _e136;
+        let _e133 = (_e99 > _e129);
+        if _e133 {
         }
-        let _e138 = phi_716_;
-        if _e138 {
-            phi_720_ = _e99;
-        } else {
-            phi_720_ = _e129;
+        phi_711_ = _e133;
+    }
+    let _e135 = phi_711_;
+    if _e135 {
+        phi_715_ = _e99;
+    } else {
+        phi_715_ = _e129;
+    }
+    let _e137 = phi_715_;
+    let _e138 = -(_e110);
+    if (_e138 <= 0f) {
+        let _e142 = ((bitcast<u32>(_e137) & 2147483647u) > 2139095040u);
+        if _e142 {
         }
-        let _e140 = phi_720_;
-        phi_721_ = _e140;
-    }
-    let _e142 = phi_721_;
-    let _e143 = -(_e110);
-    if (_e143 <= 0f) {
-        let _e147 = ((bitcast<u32>(_e142) & 2147483647u) > 2139095040u);
-        if _e147 {
-        }
-        phi_733_ = _e147;
+        phi_727_ = _e142;
     } else {
-        phi_733_ = true;
+        phi_727_ = true;
     }
-    let _e149 = phi_733_;
-    if _e149 {
-        phi_740_ = (_e142 / (_e142 + (_e143 * _e143)));
+    let _e144 = phi_727_;
+    if _e144 {
+        phi_734_ = (_e137 / (_e137 + (_e138 * _e138)));
     } else {
-        phi_740_ = 1f;
+        phi_734_ = 1f;
     }
-    let _e154 = phi_740_;
-    if ((bitcast<u32>(_e154) & 2147483647u) > 2139095040u) {
-        phi_757_ = _e154;
+    let _e149 = phi_734_;
+    if ((bitcast<u32>(_e149) & 2147483647u) > 2139095040u) {
+        phi_751_ = _e149;
     } else {
-        if (_e154 < 0f) {
-            phi_756_ = 0f;
+        if (_e149 < 0f) {
+            phi_750_ = 0f;
         } else {
-            if (_e154 > 1f) {
-                phi_755_ = 1f;
+            if (_e149 > 1f) {
+                phi_749_ = 1f;
             } else {
-                phi_755_ = _e154;
+                phi_749_ = _e149;
             }
-            let _e161 = phi_755_;
-            phi_756_ = _e161;
+            let _e156 = phi_749_;
+            phi_750_ = _e156;
         }
-        let _e163 = phi_756_;
-        phi_757_ = _e163;
+        let _e158 = phi_750_;
+        phi_751_ = _e158;
     }
-    let _e165 = phi_757_;
-    return _e165;
+    let _e160 = phi_751_;
+    return _e160;
 }
 
 fn function_() {
     var local: f32;
-    var phi_188_: bool;
     var phi_189_: bool;
     var phi_190_: bool;
     var phi_191_: bool;
-    var phi_195_: bool;
-    var phi_239_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_243_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_320_: bool;
-    var phi_329_: bool;
-    var phi_338_: bool;
+    var phi_192_: bool;
+    var phi_196_: bool;
+    var phi_240_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_244_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_321_: bool;
+    var phi_330_: bool;
     var phi_339_: bool;
     var phi_340_: bool;
     var phi_341_: bool;
     var phi_342_: bool;
     var phi_343_: bool;
     var phi_344_: bool;
-    var phi_348_: bool;
-    var phi_384_: f32;
-    var phi_389_: f32;
-    var phi_390_: bool;
-    var phi_391_: f32;
-    var phi_392_: bool;
-    var phi_396_: f32;
-    var phi_416_: f32;
-    var phi_421_: f32;
-    var phi_422_: bool;
-    var phi_423_: f32;
-    var phi_424_: bool;
-    var phi_428_: f32;
-    var phi_474_: i32;
-    var phi_479_: i32;
-    var phi_484_: i32;
-    var phi_489_: i32;
-    var phi_498_: i32;
-    var phi_503_: i32;
-    var phi_508_: i32;
-    var phi_513_: i32;
-    var phi_554_: evaluate_Verdict;
+    var phi_345_: bool;
+    var phi_349_: bool;
+    var phi_385_: f32;
+    var phi_390_: f32;
+    var phi_391_: bool;
+    var phi_392_: f32;
+    var phi_393_: bool;
+    var phi_397_: f32;
+    var phi_417_: f32;
+    var phi_422_: f32;
+    var phi_423_: bool;
+    var phi_424_: f32;
+    var phi_425_: bool;
+    var phi_429_: f32;
+    var phi_475_: i32;
+    var phi_480_: i32;
+    var phi_485_: i32;
+    var phi_490_: i32;
+    var phi_499_: i32;
+    var phi_504_: i32;
+    var phi_509_: i32;
+    var phi_514_: i32;
     var phi_555_: evaluate_Verdict;
-    var phi_556_: bool;
-    var phi_557_: evaluate_Verdict;
+    var phi_556_: evaluate_Verdict;
+    var phi_557_: bool;
     var phi_558_: evaluate_Verdict;
-    var phi_559_: bool;
-    var phi_563_: evaluate_Verdict;
+    var phi_559_: evaluate_Verdict;
+    var phi_560_: bool;
+    var phi_564_: evaluate_Verdict;
 
     let _e33 = id_1;
     let _e40 = arrayLength((&map.member));
@@ -353,28 +346,28 @@ fn function_() {
             if (_e66 == _e68) {
                 let _e71 = samples.member[(0u + _e49.first_primitive)].normal[2u];
                 let _e73 = global[2u];
-                phi_188_ = (_e71 == _e73);
-                phi_189_ = false;
+                phi_189_ = (_e71 == _e73);
+                phi_190_ = false;
             } else {
-                phi_188_ = bool();
-                phi_189_ = true;
+                phi_189_ = bool();
+                phi_190_ = true;
             }
-            let _e76 = phi_188_;
-            let _e78 = phi_189_;
-            phi_190_ = _e76;
-            phi_191_ = _e78;
+            let _e76 = phi_189_;
+            let _e78 = phi_190_;
+            phi_191_ = _e76;
+            phi_192_ = _e78;
         } else {
-            phi_190_ = bool();
-            phi_191_ = true;
+            phi_191_ = bool();
+            phi_192_ = true;
         }
-        let _e80 = phi_190_;
-        let _e82 = phi_191_;
+        let _e80 = phi_191_;
+        let _e82 = phi_192_;
         if _e82 {
-            phi_195_ = false;
+            phi_196_ = false;
         } else {
-            phi_195_ = _e80;
+            phi_196_ = _e80;
         }
-        let _e84 = phi_195_;
+        let _e84 = phi_196_;
         if !(_e84) {
             let _e87 = samples.member[(0u + _e49.first_primitive)].normal;
             let _e89 = samples.member[(0u + _e49.first_primitive)].position;
@@ -382,24 +375,24 @@ fn function_() {
                 let _e113 = samples.member[(0u + _e49.first_primitive)].flags;
                 let _e121 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e127 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e121.unnamed.visibility, false), _e121.unnamed_1);
-                phi_239_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e127.unnamed, ((_e113 & 1u) == 0u));
+                phi_240_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e127.unnamed, ((_e113 & 1u) == 0u));
             } else {
                 let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
-                phi_239_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, true);
+                phi_240_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, true);
             }
-            let _e147 = phi_239_;
-            phi_243_ = _e147;
+            let _e147 = phi_240_;
+            phi_244_ = _e147;
         } else {
             let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
-            phi_243_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
+            phi_244_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
         }
-        let _e164 = phi_243_;
+        let _e164 = phi_244_;
         if _e164.unnamed_1 {
-            phi_557_ = evaluate_Verdict(_e164.unnamed.visibility, _e164.unnamed.is_doubted);
-            phi_558_ = evaluate_Verdict();
-            phi_559_ = true;
+            phi_558_ = evaluate_Verdict(_e164.unnamed.visibility, _e164.unnamed.is_doubted);
+            phi_559_ = evaluate_Verdict();
+            phi_560_ = true;
         } else {
             let _e172 = samples.member[(0u + _e49.first_primitive)].position;
             let _e178 = p.member.projection.row_w;
@@ -412,55 +405,55 @@ fn function_() {
             let _e230 = ((((_e219.x * _e172.x) + (_e219.y * _e172.y)) + (_e219.z * _e172.z)) + (_e219.w * 1f));
             if (_e189 > 0f) {
                 if (_e203 >= 0f) {
-                    phi_320_ = (_e203 <= 1f);
+                    phi_321_ = (_e203 <= 1f);
                 } else {
-                    phi_320_ = false;
+                    phi_321_ = false;
                 }
-                let _e235 = phi_320_;
+                let _e235 = phi_321_;
                 if _e235 {
                     if (_e217 >= 0f) {
-                        phi_329_ = (_e217 <= 1f);
+                        phi_330_ = (_e217 <= 1f);
                     } else {
-                        phi_329_ = false;
+                        phi_330_ = false;
                     }
-                    let _e239 = phi_329_;
+                    let _e239 = phi_330_;
                     if _e239 {
                         if (_e230 >= 0f) {
-                            phi_338_ = (_e230 <= 1f);
+                            phi_339_ = (_e230 <= 1f);
                         } else {
-                            phi_338_ = false;
+                            phi_339_ = false;
                         }
-                        let _e243 = phi_338_;
-                        phi_339_ = _e243;
-                        phi_340_ = false;
+                        let _e243 = phi_339_;
+                        phi_340_ = _e243;
+                        phi_341_ = false;
                     } else {
-                        phi_339_ = bool();
-                        phi_340_ = true;
+                        phi_340_ = bool();
+                        phi_341_ = true;
                     }
-                    let _e245 = phi_339_;
-                    let _e247 = phi_340_;
-                    phi_341_ = _e245;
-                    phi_342_ = _e247;
+                    let _e245 = phi_340_;
+                    let _e247 = phi_341_;
+                    phi_342_ = _e245;
+                    phi_343_ = _e247;
                 } else {
-                    phi_341_ = bool();
-                    phi_342_ = true;
+                    phi_342_ = bool();
+                    phi_343_ = true;
                 }
-                let _e249 = phi_341_;
-                let _e251 = phi_342_;
-                phi_343_ = _e249;
-                phi_344_ = _e251;
+                let _e249 = phi_342_;
+                let _e251 = phi_343_;
+                phi_344_ = _e249;
+                phi_345_ = _e251;
             } else {
-                phi_343_ = bool();
-                phi_344_ = true;
+                phi_344_ = bool();
+                phi_345_ = true;
             }
-            let _e253 = phi_343_;
-            let _e255 = phi_344_;
+            let _e253 = phi_344_;
+            let _e255 = phi_345_;
             if _e255 {
-                phi_348_ = false;
+                phi_349_ = false;
             } else {
-                phi_348_ = _e253;
+                phi_349_ = _e253;
             }
-            let _e257 = phi_348_;
+            let _e257 = phi_349_;
             if _e257 {
                 let _e259 = p.member.map_size;
                 let _e260 = f32(_e259);
@@ -469,65 +462,65 @@ fn function_() {
                 if (_e263 > -8388608f) {
                     let _e276 = f32(select(0i, select(select(i32(_e263), i32(-2147483648), (_e263 < bitcast<f32>(3472883712u))), 2147483647i, (_e263 > bitcast<f32>(1325400063u))), (_e263 == _e263)));
                     if (_e276 > _e263) {
-                        phi_384_ = 1f;
+                        phi_385_ = 1f;
                     } else {
-                        phi_384_ = 0f;
+                        phi_385_ = 0f;
                     }
-                    let _e279 = phi_384_;
+                    let _e279 = phi_385_;
                     if (_e263 < 8388608f) {
-                        phi_389_ = (_e276 - _e279);
-                        phi_390_ = false;
+                        phi_390_ = (_e276 - _e279);
+                        phi_391_ = false;
                     } else {
-                        phi_389_ = f32();
-                        phi_390_ = true;
+                        phi_390_ = f32();
+                        phi_391_ = true;
                     }
-                    let _e282 = phi_389_;
-                    let _e284 = phi_390_;
-                    phi_391_ = _e282;
-                    phi_392_ = _e284;
+                    let _e282 = phi_390_;
+                    let _e284 = phi_391_;
+                    phi_392_ = _e282;
+                    phi_393_ = _e284;
                 } else {
-                    phi_391_ = f32();
-                    phi_392_ = true;
+                    phi_392_ = f32();
+                    phi_393_ = true;
                 }
-                let _e286 = phi_391_;
-                let _e288 = phi_392_;
+                let _e286 = phi_392_;
+                let _e288 = phi_393_;
                 if _e288 {
-                    phi_396_ = _e263;
+                    phi_397_ = _e263;
                 } else {
-                    phi_396_ = _e286;
+                    phi_397_ = _e286;
                 }
-                let _e290 = phi_396_;
+                let _e290 = phi_397_;
                 if (_e264 > -8388608f) {
                     let _e302 = f32(select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)));
                     if (_e302 > _e264) {
-                        phi_416_ = 1f;
+                        phi_417_ = 1f;
                     } else {
-                        phi_416_ = 0f;
+                        phi_417_ = 0f;
                     }
-                    let _e305 = phi_416_;
+                    let _e305 = phi_417_;
                     if (_e264 < 8388608f) {
-                        phi_421_ = (_e302 - _e305);
-                        phi_422_ = false;
+                        phi_422_ = (_e302 - _e305);
+                        phi_423_ = false;
                     } else {
-                        phi_421_ = f32();
-                        phi_422_ = true;
+                        phi_422_ = f32();
+                        phi_423_ = true;
                     }
-                    let _e308 = phi_421_;
-                    let _e310 = phi_422_;
-                    phi_423_ = _e308;
-                    phi_424_ = _e310;
+                    let _e308 = phi_422_;
+                    let _e310 = phi_423_;
+                    phi_424_ = _e308;
+                    phi_425_ = _e310;
                 } else {
-                    phi_423_ = f32();
-                    phi_424_ = true;
+                    phi_424_ = f32();
+                    phi_425_ = true;
                 }
-                let _e312 = phi_423_;
-                let _e314 = phi_424_;
+                let _e312 = phi_424_;
+                let _e314 = phi_425_;
                 if _e314 {
-                    phi_428_ = _e264;
+                    phi_429_ = _e264;
                 } else {
-                    phi_428_ = _e312;
+                    phi_429_ = _e312;
                 }
-                let _e316 = phi_428_;
+                let _e316 = phi_429_;
                 let _e317 = (_e263 - _e290);
                 let _e318 = (_e264 - _e316);
                 let _e327 = select(0i, select(select(i32(_e290), i32(-2147483648), (_e290 < bitcast<f32>(3472883712u))), 2147483647i, (_e290 > bitcast<f32>(1325400063u))), (_e290 == _e290));
@@ -538,56 +531,56 @@ fn function_() {
                 local = _e348;
                 let _e352 = (bitcast<i32>(_e350) - 1i);
                 if (_e327 > 0i) {
-                    phi_474_ = _e327;
+                    phi_475_ = _e327;
                 } else {
-                    phi_474_ = 0i;
+                    phi_475_ = 0i;
                 }
-                let _e355 = phi_474_;
+                let _e355 = phi_475_;
                 if (_e336 > 0i) {
-                    phi_479_ = _e336;
+                    phi_480_ = _e336;
                 } else {
-                    phi_479_ = 0i;
+                    phi_480_ = 0i;
                 }
-                let _e358 = phi_479_;
+                let _e358 = phi_480_;
                 if (_e355 < _e352) {
-                    phi_484_ = _e355;
+                    phi_485_ = _e355;
                 } else {
-                    phi_484_ = _e352;
+                    phi_485_ = _e352;
                 }
-                let _e361 = phi_484_;
+                let _e361 = phi_485_;
                 if (_e358 < _e352) {
-                    phi_489_ = _e358;
+                    phi_490_ = _e358;
                 } else {
-                    phi_489_ = _e352;
+                    phi_490_ = _e352;
                 }
-                let _e364 = phi_489_;
+                let _e364 = phi_490_;
                 let _e365 = bitcast<u32>(_e361);
                 let _e367 = (_e327 + 1i);
                 let _e368 = (_e336 + 1i);
                 if (_e367 > 0i) {
-                    phi_498_ = _e367;
+                    phi_499_ = _e367;
                 } else {
-                    phi_498_ = 0i;
+                    phi_499_ = 0i;
                 }
-                let _e371 = phi_498_;
+                let _e371 = phi_499_;
                 if (_e368 > 0i) {
-                    phi_503_ = _e368;
+                    phi_504_ = _e368;
                 } else {
-                    phi_503_ = 0i;
+                    phi_504_ = 0i;
                 }
-                let _e374 = phi_503_;
+                let _e374 = phi_504_;
                 if (_e371 < _e352) {
-                    phi_508_ = _e371;
+                    phi_509_ = _e371;
                 } else {
-                    phi_508_ = _e352;
+                    phi_509_ = _e352;
                 }
-                let _e377 = phi_508_;
+                let _e377 = phi_509_;
                 if (_e374 < _e352) {
-                    phi_513_ = _e374;
+                    phi_514_ = _e374;
                 } else {
-                    phi_513_ = _e352;
+                    phi_514_ = _e352;
                 }
-                let _e380 = phi_513_;
+                let _e380 = phi_514_;
                 let _e381 = bitcast<u32>(_e377);
                 let _e383 = (bitcast<u32>(_e364) * _e350);
                 let _e384 = (bitcast<u32>(_e380) * _e350);
@@ -616,30 +609,30 @@ fn function_() {
                 }
                 let _e404 = map.member[(0u + _e388)];
                 let _e406 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e392, _e396, _e400, _e404), vec4<f32>(((1f - _e317) * (1f - _e318)), (_e317 * (1f - _e318)), ((1f - _e317) * _e318), (_e317 * _e318)), _e230);
-                phi_554_ = evaluate_Verdict(_e406, false);
-                phi_555_ = evaluate_Verdict();
-                phi_556_ = false;
+                phi_555_ = evaluate_Verdict(_e406, false);
+                phi_556_ = evaluate_Verdict();
+                phi_557_ = false;
             } else {
-                phi_554_ = evaluate_Verdict();
-                phi_555_ = evaluate_Verdict(1f, false);
-                phi_556_ = true;
+                phi_555_ = evaluate_Verdict();
+                phi_556_ = evaluate_Verdict(1f, false);
+                phi_557_ = true;
             }
-            let _e410 = phi_554_;
-            let _e412 = phi_555_;
-            let _e414 = phi_556_;
-            phi_557_ = _e412;
-            phi_558_ = _e410;
-            phi_559_ = _e414;
+            let _e410 = phi_555_;
+            let _e412 = phi_556_;
+            let _e414 = phi_557_;
+            phi_558_ = _e412;
+            phi_559_ = _e410;
+            phi_560_ = _e414;
         }
-        let _e416 = phi_557_;
-        let _e418 = phi_558_;
-        let _e420 = phi_559_;
+        let _e416 = phi_558_;
+        let _e418 = phi_559_;
+        let _e420 = phi_560_;
         if _e420 {
-            phi_563_ = _e416;
+            phi_564_ = _e416;
         } else {
-            phi_563_ = _e418;
+            phi_564_ = _e418;
         }
-        let _e422 = phi_563_;
+        let _e422 = phi_564_;
         if (_e49.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;

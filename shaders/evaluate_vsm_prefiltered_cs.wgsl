@@ -111,14 +111,13 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(par
     var phi_639_: f32;
     var phi_640_: f32;
     var phi_641_: f32;
-    var phi_665_: bool;
-    var phi_669_: f32;
-    var phi_670_: f32;
-    var phi_682_: bool;
-    var phi_689_: f32;
-    var phi_704_: f32;
-    var phi_705_: f32;
-    var phi_706_: f32;
+    var phi_659_: bool;
+    var phi_663_: f32;
+    var phi_675_: bool;
+    var phi_682_: f32;
+    var phi_697_: f32;
+    var phi_698_: f32;
+    var phi_699_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
         phi_641_ = param_6;
@@ -140,62 +139,56 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(par
     let _e46 = phi_641_;
     let _e49 = (*param_4);
     let _e53 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
-    if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
-        phi_670_ = _e53;
+    if ((bitcast<u32>(_e49) & 2147483647u) > 2139095040u) {
+        phi_659_ = true;
     } else {
-        if ((bitcast<u32>(_e49) & 2147483647u) > 2139095040u) {
-            phi_665_ = true;
-        } else {
-            let _e60 = (_e49 > _e53);
-            if _e60 {
-            }
-            phi_665_ = _e60;
+        let _e57 = (_e49 > _e53);
+        if _e57 {
         }
-        let _e62 = phi_665_;
-        if _e62 {
-            phi_669_ = _e49;
-        } else {
-            phi_669_ = _e53;
-        }
-        let _e64 = phi_669_;
-        phi_670_ = _e64;
+        phi_659_ = _e57;
     }
-    let _e66 = phi_670_;
-    let _e67 = (_e46 - param_5.x);
-    if (_e67 <= 0f) {
-        let _e71 = ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u);
-        if _e71 {
-        }
-        phi_682_ = _e71;
+    let _e59 = phi_659_;
+    if _e59 {
+        phi_663_ = _e49;
     } else {
-        phi_682_ = true;
+        phi_663_ = _e53;
+    }
+    let _e61 = phi_663_;
+    let _e62 = (_e46 - param_5.x);
+    if (_e62 <= 0f) {
+        let _e66 = ((bitcast<u32>(_e61) & 2147483647u) > 2139095040u);
+        if _e66 {
+        }
+        phi_675_ = _e66;
+    } else {
+        phi_675_ = true;
+    }
+    let _e68 = phi_675_;
+    if _e68 {
+        phi_682_ = (_e61 / (_e61 + (_e62 * _e62)));
+    } else {
+        phi_682_ = 1f;
     }
     let _e73 = phi_682_;
-    if _e73 {
-        phi_689_ = (_e66 / (_e66 + (_e67 * _e67)));
+    if ((bitcast<u32>(_e73) & 2147483647u) > 2139095040u) {
+        phi_699_ = _e73;
     } else {
-        phi_689_ = 1f;
-    }
-    let _e78 = phi_689_;
-    if ((bitcast<u32>(_e78) & 2147483647u) > 2139095040u) {
-        phi_706_ = _e78;
-    } else {
-        if (_e78 < 0f) {
-            phi_705_ = 0f;
+        if (_e73 < 0f) {
+            phi_698_ = 0f;
         } else {
-            if (_e78 > 1f) {
-                phi_704_ = 1f;
+            if (_e73 > 1f) {
+                phi_697_ = 1f;
             } else {
-                phi_704_ = _e78;
+                phi_697_ = _e73;
             }
-            let _e85 = phi_704_;
-            phi_705_ = _e85;
+            let _e80 = phi_697_;
+            phi_698_ = _e80;
         }
-        let _e87 = phi_705_;
-        phi_706_ = _e87;
+        let _e82 = phi_698_;
+        phi_699_ = _e82;
     }
-    let _e89 = phi_706_;
-    return _e89;
+    let _e84 = phi_699_;
+    return _e84;
 }
 
 fn function_() {

@@ -65,33 +65,26 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_3: ptr<function, f32>) -> f32 {
-    var phi_463_: bool;
-    var phi_467_: f32;
-    var phi_468_: f32;
+    var phi_457_: bool;
+    var phi_461_: f32;
 
     let _e44 = (*param_3);
-    if ((bitcast<u32>(_e44) & 2147483647u) > 2139095040u) {
-        phi_468_ = _e44;
+    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
+        phi_457_ = true;
     } else {
-        if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-            phi_463_ = true;
-        } else {
-            let _e51 = (84f < _e44);
-            if _e51 {
-            }
-            phi_463_ = _e51;
+        let _e48 = (84f < _e44);
+        if _e48 {
         }
-        let _e53 = phi_463_;
-        if _e53 {
-            phi_467_ = 84f;
-        } else {
-            phi_467_ = _e44;
-        }
-        let _e55 = phi_467_;
-        phi_468_ = _e55;
+        phi_457_ = _e48;
     }
-    let _e57 = phi_468_;
-    return _e57;
+    let _e50 = phi_457_;
+    if _e50 {
+        phi_461_ = 84f;
+    } else {
+        phi_461_ = _e44;
+    }
+    let _e52 = phi_461_;
+    return _e52;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: ptr<function, f32>, param_5: f32) -> vec4<f32> {

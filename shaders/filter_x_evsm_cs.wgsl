@@ -71,63 +71,49 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
 }
 
 fn _lt_math_evsm_Evsm_negative(param_3: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_594_: bool;
-    var phi_598_: f32;
-    var phi_599_: f32;
+    var phi_581_: bool;
+    var phi_585_: f32;
 
     let _e45 = (*param_3).negative_exponent;
-    if ((bitcast<u32>(_e45) & 2147483647u) > 2139095040u) {
-        phi_599_ = _e45;
+    if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
+        phi_581_ = true;
     } else {
-        if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-            phi_594_ = true;
-        } else {
-            let _e52 = (42f < _e45);
-            if _e52 {
-            }
-            phi_594_ = _e52;
+        let _e49 = (42f < _e45);
+        if _e49 {
         }
-        let _e54 = phi_594_;
-        if _e54 {
-            phi_598_ = 42f;
-        } else {
-            phi_598_ = _e45;
-        }
-        let _e56 = phi_598_;
-        phi_599_ = _e56;
+        phi_581_ = _e49;
     }
-    let _e58 = phi_599_;
-    return _e58;
+    let _e51 = phi_581_;
+    if _e51 {
+        phi_585_ = 42f;
+    } else {
+        phi_585_ = _e45;
+    }
+    let _e53 = phi_585_;
+    return _e53;
 }
 
 fn _lt_math_evsm_Evsm_positive(param_4: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_568_: bool;
-    var phi_572_: f32;
-    var phi_573_: f32;
+    var phi_562_: bool;
+    var phi_566_: f32;
 
     let _e45 = (*param_4).positive_exponent;
-    if ((bitcast<u32>(_e45) & 2147483647u) > 2139095040u) {
-        phi_573_ = _e45;
+    if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
+        phi_562_ = true;
     } else {
-        if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-            phi_568_ = true;
-        } else {
-            let _e52 = (42f < _e45);
-            if _e52 {
-            }
-            phi_568_ = _e52;
+        let _e49 = (42f < _e45);
+        if _e49 {
         }
-        let _e54 = phi_568_;
-        if _e54 {
-            phi_572_ = 42f;
-        } else {
-            phi_572_ = _e45;
-        }
-        let _e56 = phi_572_;
-        phi_573_ = _e56;
+        phi_562_ = _e49;
     }
-    let _e58 = phi_573_;
-    return _e58;
+    let _e51 = phi_562_;
+    if _e51 {
+        phi_566_ = 42f;
+    } else {
+        phi_566_ = _e45;
+    }
+    let _e53 = phi_566_;
+    return _e53;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_5: ptr<function, lt_math_Evsm>, param_6: f32) -> vec4<f32> {

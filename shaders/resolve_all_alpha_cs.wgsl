@@ -782,9 +782,13 @@ fn function_() {
     var phi_2040_: bool;
     var phi_2044_: bool;
     var phi_2048_: lt_bvh_triangle_Intersection;
-    var phi_2266_: f32;
-    var phi_2269_: bool;
+    var phi_2262_: f32;
+    var phi_2265_: bool;
+    var phi_2266_: bool;
     var phi_2270_: bool;
+    var phi_2271_: bool;
+    var phi_2272_: bool;
+    var phi_2273_: bool;
     var phi_2274_: bool;
     var phi_2275_: bool;
     var phi_2276_: bool;
@@ -793,39 +797,35 @@ fn function_() {
     var phi_2279_: bool;
     var phi_2280_: bool;
     var phi_2281_: bool;
-    var phi_2282_: bool;
-    var phi_2283_: bool;
-    var phi_2284_: bool;
     var phi_2285_: bool;
-    var phi_2289_: bool;
-    var phi_2290_: bool;
+    var phi_2286_: bool;
     var phi_1577_: u32;
-    var phi_2291_: bool;
-    var phi_2292_: bool;
-    var phi_2293_: bool;
+    var phi_2287_: bool;
+    var phi_2288_: bool;
+    var phi_2289_: bool;
     var local_6: bool;
-    var phi_2335_: bool;
-    var phi_2336_: bool;
-    var phi_2367_: u32;
-    var phi_2368_: u32;
+    var phi_2331_: bool;
+    var phi_2332_: bool;
+    var phi_2363_: u32;
+    var phi_2364_: u32;
+    var phi_2365_: bool;
+    var phi_2366_: bool;
+    var phi_1247_: u32;
+    var phi_2367_: bool;
+    var phi_2368_: bool;
     var phi_2369_: bool;
     var phi_2370_: bool;
-    var phi_1247_: u32;
-    var phi_2371_: bool;
-    var phi_2372_: bool;
-    var phi_2373_: bool;
-    var phi_2374_: bool;
     var local_7: bool;
-    var phi_2378_: bool;
+    var phi_2374_: bool;
+    var phi_2375_: bool;
     var phi_2379_: bool;
     var phi_2383_: bool;
-    var phi_2387_: bool;
-    var phi_2388_: bool;
-    var phi_2389_: bool;
+    var phi_2384_: bool;
+    var phi_2385_: bool;
+    var phi_2386_: bool;
     var phi_2390_: bool;
-    var phi_2394_: bool;
-    var phi_2398_: f32;
-    var phi_2399_: f32;
+    var phi_2394_: f32;
+    var phi_2395_: f32;
     var local_8: bool;
     var local_9: bool;
     var local_10: bool;
@@ -871,7 +871,7 @@ fn function_() {
         }
         let _e196 = phi_761_;
         if _e196.unnamed_1 {
-            phi_2399_ = _e196.unnamed.visibility;
+            phi_2395_ = _e196.unnamed.visibility;
         } else {
             let _e201 = p.member.light;
             let _e203 = local_2.position;
@@ -999,7 +999,7 @@ fn function_() {
             if _e297 {
                 let _e298 = (0u >= _e78);
                 if _e298 {
-                    phi_2388_ = bool();
+                    phi_2384_ = bool();
                 } else {
                     if (0u < _e78) {
                     } else {
@@ -1389,9 +1389,9 @@ fn function_() {
                                 local_10 = _e1047;
                                 if _e1047 {
                                     phi_1577_ = u32();
-                                    phi_2291_ = false;
-                                    phi_2292_ = false;
-                                    phi_2293_ = false;
+                                    phi_2287_ = false;
+                                    phi_2288_ = false;
+                                    phi_2289_ = false;
                                 } else {
                                     let _e1050 = nodes.member[(0u + _e610)].links[1u];
                                     let _e1055 = ((0u + _e1050) + select(firstTrailingBit(_e1046), 32u, (_e1046 == 0u)));
@@ -1833,8 +1833,8 @@ fn function_() {
                                                 let _e1425 = triangles.member[(0u + _e1055)].i0_;
                                                 let _e1427 = ((_e1425 & 2147483648u) == 0u);
                                                 if _e1427 {
-                                                    phi_2275_ = false;
-                                                    phi_2276_ = false;
+                                                    phi_2271_ = false;
+                                                    phi_2272_ = false;
                                                 } else {
                                                     if (_e1055 < _e81) {
                                                     } else {
@@ -1868,260 +1868,260 @@ fn function_() {
                                                     if ((_e1458.flags & 1u) == 1u) {
                                                         let _e1463 = ((1f - _e1418.u) - _e1418.v);
                                                         if (_e1458.cutoff <= 0f) {
-                                                            phi_2269_ = true;
+                                                            phi_2265_ = true;
                                                         } else {
-                                                            let _e1494 = (_e1458.base_color.w * ((((f32((_e1452[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1463) + ((f32((_e1452[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1418.u)) + ((f32((_e1452[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1418.v)));
+                                                            let _e1490 = (_e1458.base_color.w * ((((f32((_e1452[0].color >> bitcast<u32>(24i))) * _e1463) + (f32((_e1452[1].color >> bitcast<u32>(24i))) * _e1418.u)) + (f32((_e1452[2].color >> bitcast<u32>(24i))) * _e1418.v)) * (1f / 255f)));
                                                             if (_e1458.alpha_size == 0u) {
-                                                                phi_2266_ = _e1494;
+                                                                phi_2262_ = _e1490;
                                                             } else {
                                                                 local.offset = _e1458.alpha_offset;
                                                                 local.size = _e1458.alpha_size;
                                                                 local.flags = _e1458.flags;
-                                                                let _e1525 = _lt_shaders_texture_TextureView_quad((&local), (((_e1452[0].u * _e1463) + (_e1452[1].u * _e1418.u)) + (_e1452[2].u * _e1418.v)), (((_e1452[0].v * _e1463) + (_e1452[1].v * _e1418.u)) + (_e1452[2].v * _e1418.v)));
-                                                                let _e1529 = (_e1525.indices[0] >> bitcast<u32>(2i));
-                                                                if (_e1529 < _e93) {
+                                                                let _e1521 = _lt_shaders_texture_TextureView_quad((&local), (((_e1452[0].u * _e1463) + (_e1452[1].u * _e1418.u)) + (_e1452[2].u * _e1418.v)), (((_e1452[0].v * _e1463) + (_e1452[1].v * _e1418.u)) + (_e1452[2].v * _e1418.v)));
+                                                                let _e1525 = (_e1521.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1525 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1533 = alpha_texels.member[(0u + _e1529)];
-                                                                let _e1549 = (_e1525.indices[1] >> bitcast<u32>(2i));
-                                                                if (_e1549 < _e93) {
+                                                                let _e1529 = alpha_texels.member[(0u + _e1525)];
+                                                                let _e1545 = (_e1521.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1545 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1553 = alpha_texels.member[(0u + _e1549)];
-                                                                let _e1570 = (_e1525.indices[2] >> bitcast<u32>(2i));
-                                                                if (_e1570 < _e93) {
+                                                                let _e1549 = alpha_texels.member[(0u + _e1545)];
+                                                                let _e1566 = (_e1521.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1566 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1574 = alpha_texels.member[(0u + _e1570)];
-                                                                let _e1591 = (_e1525.indices[3] >> bitcast<u32>(2i));
-                                                                if (_e1591 < _e93) {
+                                                                let _e1570 = alpha_texels.member[(0u + _e1566)];
+                                                                let _e1587 = (_e1521.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1587 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1595 = alpha_texels.member[(0u + _e1591)];
-                                                                phi_2266_ = (_e1494 * (((((f32(((_e1533 >> bitcast<u32>((((_e1525.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1525.weights.x) + ((f32(((_e1553 >> bitcast<u32>((((_e1525.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1525.weights.y)) + ((f32(((_e1574 >> bitcast<u32>((((_e1525.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1525.weights.z)) + ((f32(((_e1595 >> bitcast<u32>((((_e1525.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1525.weights.w)));
+                                                                let _e1591 = alpha_texels.member[(0u + _e1587)];
+                                                                phi_2262_ = (_e1490 * (((((f32(((_e1529 >> bitcast<u32>((((_e1521.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.x) + ((f32(((_e1549 >> bitcast<u32>((((_e1521.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.y)) + ((f32(((_e1570 >> bitcast<u32>((((_e1521.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.z)) + ((f32(((_e1591 >> bitcast<u32>((((_e1521.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.w)));
                                                             }
-                                                            let _e1611 = phi_2266_;
-                                                            phi_2269_ = (_e1611 >= _e1458.cutoff);
+                                                            let _e1607 = phi_2262_;
+                                                            phi_2265_ = (_e1607 >= _e1458.cutoff);
                                                         }
-                                                        let _e1615 = phi_2269_;
-                                                        phi_2270_ = _e1615;
+                                                        let _e1611 = phi_2265_;
+                                                        phi_2266_ = _e1611;
                                                     } else {
+                                                        phi_2266_ = false;
+                                                    }
+                                                    let _e1613 = phi_2266_;
+                                                    if _e1613 {
                                                         phi_2270_ = false;
-                                                    }
-                                                    let _e1617 = phi_2270_;
-                                                    if _e1617 {
-                                                        phi_2274_ = false;
                                                     } else {
-                                                        phi_2274_ = true;
+                                                        phi_2270_ = true;
                                                     }
-                                                    let _e1619 = phi_2274_;
-                                                    phi_2275_ = _e1619;
-                                                    phi_2276_ = _e1617;
+                                                    let _e1615 = phi_2270_;
+                                                    phi_2271_ = _e1615;
+                                                    phi_2272_ = _e1613;
                                                 }
-                                                let _e1621 = phi_2275_;
-                                                let _e1623 = phi_2276_;
-                                                phi_2277_ = _e1621;
-                                                phi_2278_ = _e1427;
-                                                phi_2279_ = _e1623;
+                                                let _e1617 = phi_2271_;
+                                                let _e1619 = phi_2272_;
+                                                phi_2273_ = _e1617;
+                                                phi_2274_ = _e1427;
+                                                phi_2275_ = _e1619;
                                             } else {
-                                                phi_2277_ = true;
-                                                phi_2278_ = false;
-                                                phi_2279_ = false;
+                                                phi_2273_ = true;
+                                                phi_2274_ = false;
+                                                phi_2275_ = false;
                                             }
-                                            let _e1625 = phi_2277_;
-                                            let _e1627 = phi_2278_;
-                                            let _e1629 = phi_2279_;
-                                            phi_2280_ = _e1625;
-                                            phi_2281_ = _e1627;
-                                            phi_2282_ = _e1629;
+                                            let _e1621 = phi_2273_;
+                                            let _e1623 = phi_2274_;
+                                            let _e1625 = phi_2275_;
+                                            phi_2276_ = _e1621;
+                                            phi_2277_ = _e1623;
+                                            phi_2278_ = _e1625;
                                         } else {
-                                            phi_2280_ = true;
-                                            phi_2281_ = false;
-                                            phi_2282_ = false;
+                                            phi_2276_ = true;
+                                            phi_2277_ = false;
+                                            phi_2278_ = false;
                                         }
-                                        let _e1631 = phi_2280_;
-                                        let _e1633 = phi_2281_;
-                                        let _e1635 = phi_2282_;
-                                        phi_2283_ = _e1631;
-                                        phi_2284_ = _e1633;
-                                        phi_2285_ = _e1635;
+                                        let _e1627 = phi_2276_;
+                                        let _e1629 = phi_2277_;
+                                        let _e1631 = phi_2278_;
+                                        phi_2279_ = _e1627;
+                                        phi_2280_ = _e1629;
+                                        phi_2281_ = _e1631;
                                     } else {
-                                        phi_2283_ = true;
-                                        phi_2284_ = false;
+                                        phi_2279_ = true;
+                                        phi_2280_ = false;
+                                        phi_2281_ = false;
+                                    }
+                                    let _e1633 = phi_2279_;
+                                    let _e1635 = phi_2280_;
+                                    let _e1637 = phi_2281_;
+                                    if _e1633 {
                                         phi_2285_ = false;
-                                    }
-                                    let _e1637 = phi_2283_;
-                                    let _e1639 = phi_2284_;
-                                    let _e1641 = phi_2285_;
-                                    if _e1637 {
-                                        phi_2289_ = false;
-                                        phi_2290_ = false;
+                                        phi_2286_ = false;
                                     } else {
-                                        phi_2289_ = _e1639;
-                                        phi_2290_ = _e1641;
+                                        phi_2285_ = _e1635;
+                                        phi_2286_ = _e1637;
                                     }
-                                    let _e1643 = phi_2289_;
-                                    let _e1645 = phi_2290_;
+                                    let _e1639 = phi_2285_;
+                                    let _e1641 = phi_2286_;
                                     phi_1577_ = (_e1046 & (_e1046 - 1u));
-                                    phi_2291_ = _e1637;
-                                    phi_2292_ = _e1643;
-                                    phi_2293_ = _e1645;
+                                    phi_2287_ = _e1633;
+                                    phi_2288_ = _e1639;
+                                    phi_2289_ = _e1641;
                                 }
-                                let _e1647 = phi_1577_;
-                                let _e1649 = phi_2291_;
-                                let _e1651 = phi_2292_;
-                                let _e1653 = phi_2293_;
-                                local_8 = _e1651;
-                                local_9 = _e1653;
+                                let _e1643 = phi_1577_;
+                                let _e1645 = phi_2287_;
+                                let _e1647 = phi_2288_;
+                                let _e1649 = phi_2289_;
+                                local_8 = _e1647;
+                                local_9 = _e1649;
                                 continue;
                                 continuing {
-                                    phi_1576_ = _e1647;
-                                    break if !(_e1649);
+                                    phi_1576_ = _e1643;
+                                    break if !(_e1645);
                                 }
                             }
-                            let _e1656 = local_6;
-                            if _e1656 {
-                                let _e1658 = local_1.group_mask;
-                                if ((_e1658 & 4278190080u) == 0u) {
-                                    let _e1662 = local_1.len;
-                                    if (_e1662 == 0u) {
-                                        phi_2335_ = false;
+                            let _e1652 = local_6;
+                            if _e1652 {
+                                let _e1654 = local_1.group_mask;
+                                if ((_e1654 & 4278190080u) == 0u) {
+                                    let _e1658 = local_1.len;
+                                    if (_e1658 == 0u) {
+                                        phi_2331_ = false;
                                     } else {
-                                        let _e1666 = local_1.len;
-                                        local_1.len = (_e1666 - 1u);
-                                        let _e1669 = local_1.len;
-                                        if (_e1669 < 32u) {
+                                        let _e1662 = local_1.len;
+                                        local_1.len = (_e1662 - 1u);
+                                        let _e1665 = local_1.len;
+                                        if (_e1665 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1674 = local_1.first[(0u + _e1669)];
-                                        local_1.group = _e1674;
-                                        let _e1677 = local_1.len;
-                                        if (_e1677 < 32u) {
+                                        let _e1670 = local_1.first[(0u + _e1665)];
+                                        local_1.group = _e1670;
+                                        let _e1673 = local_1.len;
+                                        if (_e1673 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1682 = local_1.mask[(0u + _e1677)];
-                                        local_1.group_mask = _e1682;
-                                        phi_2335_ = true;
+                                        let _e1678 = local_1.mask[(0u + _e1673)];
+                                        local_1.group_mask = _e1678;
+                                        phi_2331_ = true;
                                     }
-                                    let _e1685 = phi_2335_;
-                                    phi_2336_ = _e1685;
+                                    let _e1681 = phi_2331_;
+                                    phi_2332_ = _e1681;
                                 } else {
-                                    phi_2336_ = true;
+                                    phi_2332_ = true;
                                 }
-                                let _e1687 = phi_2336_;
-                                if _e1687 {
-                                    let _e1689 = local_1.group_mask;
-                                    let _e1695 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1689)), 32u, (_e1689 == 0u)));
-                                    let _e1699 = local_1.group_mask;
-                                    let _e1713 = local_1.group_mask;
-                                    local_1.group_mask = (_e1713 & ~((1u << bitcast<u32>((_e1695 & 31u)))));
-                                    let _e1716 = local_1.group;
-                                    phi_2367_ = (_e1716 + countOneBits(((_e1699 & ~((4294967295u << bitcast<u32>((((_e1695 - 24u) ^ _e472) & 31u))))) & 255u)));
+                                let _e1683 = phi_2332_;
+                                if _e1683 {
+                                    let _e1685 = local_1.group_mask;
+                                    let _e1691 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1685)), 32u, (_e1685 == 0u)));
+                                    let _e1695 = local_1.group_mask;
+                                    let _e1709 = local_1.group_mask;
+                                    local_1.group_mask = (_e1709 & ~((1u << bitcast<u32>((_e1691 & 31u)))));
+                                    let _e1712 = local_1.group;
+                                    phi_2363_ = (_e1712 + countOneBits(((_e1695 & ~((4294967295u << bitcast<u32>((((_e1691 - 24u) ^ _e472) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2367_ = 4294967295u;
+                                    phi_2363_ = 4294967295u;
                                 }
-                                let _e1719 = phi_2367_;
-                                phi_2368_ = _e1719;
-                                phi_2369_ = false;
-                                phi_2370_ = false;
+                                let _e1715 = phi_2363_;
+                                phi_2364_ = _e1715;
+                                phi_2365_ = false;
+                                phi_2366_ = false;
                             } else {
-                                phi_2368_ = u32();
-                                let _e1935 = local_8;
-                                phi_2369_ = _e1935;
-                                let _e1938 = local_9;
-                                phi_2370_ = _e1938;
+                                phi_2364_ = u32();
+                                let _e1931 = local_8;
+                                phi_2365_ = _e1931;
+                                let _e1934 = local_9;
+                                phi_2366_ = _e1934;
                             }
-                            let _e1721 = phi_2368_;
-                            let _e1723 = phi_2369_;
-                            let _e1725 = phi_2370_;
-                            phi_1247_ = _e1721;
-                            let _e1942 = local_10;
-                            phi_2371_ = _e1942;
-                            phi_2372_ = false;
-                            phi_2373_ = _e1723;
-                            phi_2374_ = _e1725;
+                            let _e1717 = phi_2364_;
+                            let _e1719 = phi_2365_;
+                            let _e1721 = phi_2366_;
+                            phi_1247_ = _e1717;
+                            let _e1938 = local_10;
+                            phi_2367_ = _e1938;
+                            phi_2368_ = false;
+                            phi_2369_ = _e1719;
+                            phi_2370_ = _e1721;
                         } else {
                             phi_1247_ = u32();
-                            phi_2371_ = false;
-                            phi_2372_ = true;
-                            phi_2373_ = false;
-                            phi_2374_ = false;
+                            phi_2367_ = false;
+                            phi_2368_ = true;
+                            phi_2369_ = false;
+                            phi_2370_ = false;
                         }
-                        let _e1727 = phi_1247_;
-                        let _e1729 = phi_2371_;
-                        let _e1731 = phi_2372_;
-                        let _e1733 = phi_2373_;
-                        let _e1735 = phi_2374_;
-                        local_7 = _e1731;
-                        local_11 = _e1733;
-                        local_12 = _e1735;
+                        let _e1723 = phi_1247_;
+                        let _e1725 = phi_2367_;
+                        let _e1727 = phi_2368_;
+                        let _e1729 = phi_2369_;
+                        let _e1731 = phi_2370_;
+                        local_7 = _e1727;
+                        local_11 = _e1729;
+                        local_12 = _e1731;
                         continue;
                         continuing {
-                            phi_1246_ = _e1727;
-                            break if !(_e1729);
+                            phi_1246_ = _e1723;
+                            break if !(_e1725);
                         }
                     }
-                    let _e1738 = local_7;
-                    if _e1738 {
-                        phi_2378_ = false;
-                        phi_2379_ = false;
+                    let _e1734 = local_7;
+                    if _e1734 {
+                        phi_2374_ = false;
+                        phi_2375_ = false;
                     } else {
-                        let _e1949 = local_11;
-                        phi_2378_ = _e1949;
-                        let _e1952 = local_12;
-                        phi_2379_ = _e1952;
+                        let _e1945 = local_11;
+                        phi_2374_ = _e1945;
+                        let _e1948 = local_12;
+                        phi_2375_ = _e1948;
                     }
-                    let _e1740 = phi_2378_;
-                    let _e1742 = phi_2379_;
+                    let _e1736 = phi_2374_;
+                    let _e1738 = phi_2375_;
+                    if _e1736 {
+                        phi_2379_ = true;
+                    } else {
+                        phi_2379_ = _e1738;
+                    }
+                    let _e1740 = phi_2379_;
                     if _e1740 {
                         phi_2383_ = true;
                     } else {
-                        phi_2383_ = _e1742;
+                        phi_2383_ = false;
                     }
-                    let _e1744 = phi_2383_;
-                    if _e1744 {
-                        phi_2387_ = true;
-                    } else {
-                        phi_2387_ = false;
-                    }
-                    let _e1746 = phi_2387_;
-                    phi_2388_ = _e1746;
+                    let _e1742 = phi_2383_;
+                    phi_2384_ = _e1742;
                 }
-                let _e1748 = phi_2388_;
-                phi_2389_ = _e1748;
-                phi_2390_ = _e298;
+                let _e1744 = phi_2384_;
+                phi_2385_ = _e1744;
+                phi_2386_ = _e298;
             } else {
-                phi_2389_ = bool();
-                phi_2390_ = true;
+                phi_2385_ = bool();
+                phi_2386_ = true;
             }
-            let _e1750 = phi_2389_;
-            let _e1752 = phi_2390_;
-            if _e1752 {
-                phi_2394_ = false;
+            let _e1746 = phi_2385_;
+            let _e1748 = phi_2386_;
+            if _e1748 {
+                phi_2390_ = false;
             } else {
-                phi_2394_ = _e1750;
+                phi_2390_ = _e1746;
             }
-            let _e1754 = phi_2394_;
-            if _e1754 {
-                phi_2398_ = 0f;
+            let _e1750 = phi_2390_;
+            if _e1750 {
+                phi_2394_ = 0f;
             } else {
-                phi_2398_ = 1f;
+                phi_2394_ = 1f;
             }
-            let _e1756 = phi_2398_;
-            phi_2399_ = _e1756;
+            let _e1752 = phi_2394_;
+            phi_2395_ = _e1752;
         }
-        let _e1758 = phi_2399_;
+        let _e1754 = phi_2395_;
         if (_e99.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e99.first_primitive)] = _e1758;
+        visibility.member[(0u + _e99.first_primitive)] = _e1754;
     }
     return;
 }

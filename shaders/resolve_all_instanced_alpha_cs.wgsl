@@ -867,9 +867,13 @@ fn function_() {
     var phi_2955_: bool;
     var phi_2959_: bool;
     var phi_2963_: lt_bvh_triangle_Intersection;
-    var phi_3181_: f32;
-    var phi_3184_: bool;
+    var phi_3177_: f32;
+    var phi_3180_: bool;
+    var phi_3181_: bool;
     var phi_3185_: bool;
+    var phi_3186_: bool;
+    var phi_3187_: bool;
+    var phi_3188_: bool;
     var phi_3189_: bool;
     var phi_3190_: bool;
     var phi_3191_: bool;
@@ -878,60 +882,56 @@ fn function_() {
     var phi_3194_: bool;
     var phi_3195_: bool;
     var phi_3196_: bool;
-    var phi_3197_: bool;
-    var phi_3198_: bool;
-    var phi_3199_: bool;
     var phi_3200_: bool;
-    var phi_3204_: bool;
-    var phi_3205_: bool;
+    var phi_3201_: bool;
     var phi_2492_: u32;
-    var phi_3206_: bool;
-    var phi_3207_: bool;
-    var phi_3208_: bool;
+    var phi_3202_: bool;
+    var phi_3203_: bool;
+    var phi_3204_: bool;
     var local_10: bool;
-    var phi_3250_: bool;
-    var phi_3251_: bool;
-    var phi_3282_: u32;
-    var phi_3283_: u32;
+    var phi_3246_: bool;
+    var phi_3247_: bool;
+    var phi_3278_: u32;
+    var phi_3279_: u32;
+    var phi_3280_: bool;
+    var phi_3281_: bool;
+    var phi_2162_: u32;
+    var phi_3282_: bool;
+    var phi_3283_: bool;
     var phi_3284_: bool;
     var phi_3285_: bool;
-    var phi_2162_: u32;
-    var phi_3286_: bool;
-    var phi_3287_: bool;
-    var phi_3288_: bool;
-    var phi_3289_: bool;
     var local_11: bool;
-    var phi_3293_: bool;
+    var phi_3289_: bool;
+    var phi_3290_: bool;
     var phi_3294_: bool;
     var phi_3298_: bool;
-    var phi_3302_: bool;
-    var phi_3303_: bool;
-    var phi_3304_: bool;
+    var phi_3299_: bool;
+    var phi_3300_: bool;
+    var phi_3301_: bool;
     var phi_3305_: bool;
     var phi_3309_: bool;
-    var phi_3313_: bool;
-    var phi_3314_: bool;
-    var phi_3315_: bool;
-    var phi_3316_: bool;
+    var phi_3310_: bool;
+    var phi_3311_: bool;
+    var phi_3312_: bool;
     var phi_1556_: u32;
-    var phi_3320_: bool;
+    var phi_3316_: bool;
     var local_12: bool;
-    var phi_3362_: bool;
-    var phi_3363_: bool;
-    var phi_3394_: u32;
-    var phi_3395_: u32;
+    var phi_3358_: bool;
+    var phi_3359_: bool;
+    var phi_3390_: u32;
+    var phi_3391_: u32;
     var phi_1226_: u32;
-    var phi_3396_: bool;
-    var phi_3397_: bool;
+    var phi_3392_: bool;
+    var phi_3393_: bool;
     var local_13: bool;
+    var phi_3397_: bool;
     var phi_3401_: bool;
-    var phi_3405_: bool;
-    var phi_3406_: bool;
-    var phi_3407_: bool;
+    var phi_3402_: bool;
+    var phi_3403_: bool;
+    var phi_3404_: bool;
     var phi_3408_: bool;
-    var phi_3412_: bool;
-    var phi_3416_: f32;
-    var phi_3417_: f32;
+    var phi_3412_: f32;
+    var phi_3413_: f32;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
@@ -979,7 +979,7 @@ fn function_() {
         let _e200 = phi_776_;
         let _e205 = p.member.root;
         if _e200.unnamed_1 {
-            phi_3417_ = _e200.unnamed.visibility;
+            phi_3413_ = _e200.unnamed.visibility;
         } else {
             let _e207 = p.member.light;
             let _e209 = local_3.position;
@@ -1107,7 +1107,7 @@ fn function_() {
             if _e302 {
                 let _e303 = (_e205 >= _e79);
                 if _e303 {
-                    phi_3406_ = bool();
+                    phi_3402_ = bool();
                 } else {
                     if (_e205 < _e79) {
                     } else {
@@ -1455,7 +1455,7 @@ fn function_() {
                                 local_19 = _e1022;
                                 if _e1022 {
                                     phi_1556_ = u32();
-                                    phi_3320_ = false;
+                                    phi_3316_ = false;
                                 } else {
                                     let _e1025 = nodes.member[(0u + _e585)].links[1u];
                                     let _e1029 = (_e1025 + select(firstTrailingBit(_e1021), 32u, (_e1021 == 0u)));
@@ -1637,7 +1637,7 @@ fn function_() {
                                                 if _e1233 {
                                                     let _e1234 = (_e1170 >= _e79);
                                                     if _e1234 {
-                                                        phi_3303_ = bool();
+                                                        phi_3299_ = bool();
                                                     } else {
                                                         if (_e1170 < _e79) {
                                                         } else {
@@ -2027,9 +2027,9 @@ fn function_() {
                                                                     local_16 = _e1983;
                                                                     if _e1983 {
                                                                         phi_2492_ = u32();
-                                                                        phi_3206_ = false;
-                                                                        phi_3207_ = false;
-                                                                        phi_3208_ = false;
+                                                                        phi_3202_ = false;
+                                                                        phi_3203_ = false;
+                                                                        phi_3204_ = false;
                                                                     } else {
                                                                         let _e1986 = nodes.member[(0u + _e1546)].links[1u];
                                                                         let _e1991 = ((_e1172 + _e1986) + select(firstTrailingBit(_e1982), 32u, (_e1982 == 0u)));
@@ -2471,8 +2471,8 @@ fn function_() {
                                                                                     let _e2361 = triangles.member[(0u + _e1991)].i0_;
                                                                                     let _e2363 = ((_e2361 & 2147483648u) == 0u);
                                                                                     if _e2363 {
-                                                                                        phi_3190_ = false;
-                                                                                        phi_3191_ = false;
+                                                                                        phi_3186_ = false;
+                                                                                        phi_3187_ = false;
                                                                                     } else {
                                                                                         if (_e1991 < _e82) {
                                                                                         } else {
@@ -2506,392 +2506,392 @@ fn function_() {
                                                                                         if ((_e2394.flags & 1u) == 1u) {
                                                                                             let _e2399 = ((1f - _e2354.u) - _e2354.v);
                                                                                             if (_e2394.cutoff <= 0f) {
-                                                                                                phi_3184_ = true;
+                                                                                                phi_3180_ = true;
                                                                                             } else {
-                                                                                                let _e2430 = (_e2394.base_color.w * ((((f32((_e2388[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2399) + ((f32((_e2388[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2354.u)) + ((f32((_e2388[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2354.v)));
+                                                                                                let _e2426 = (_e2394.base_color.w * ((((f32((_e2388[0].color >> bitcast<u32>(24i))) * _e2399) + (f32((_e2388[1].color >> bitcast<u32>(24i))) * _e2354.u)) + (f32((_e2388[2].color >> bitcast<u32>(24i))) * _e2354.v)) * (1f / 255f)));
                                                                                                 if (_e2394.alpha_size == 0u) {
-                                                                                                    phi_3181_ = _e2430;
+                                                                                                    phi_3177_ = _e2426;
                                                                                                 } else {
                                                                                                     local.offset = _e2394.alpha_offset;
                                                                                                     local.size = _e2394.alpha_size;
                                                                                                     local.flags = _e2394.flags;
-                                                                                                    let _e2461 = _lt_shaders_texture_TextureView_quad((&local), (((_e2388[0].u * _e2399) + (_e2388[1].u * _e2354.u)) + (_e2388[2].u * _e2354.v)), (((_e2388[0].v * _e2399) + (_e2388[1].v * _e2354.u)) + (_e2388[2].v * _e2354.v)));
-                                                                                                    let _e2465 = (_e2461.indices[0] >> bitcast<u32>(2i));
-                                                                                                    if (_e2465 < _e97) {
+                                                                                                    let _e2457 = _lt_shaders_texture_TextureView_quad((&local), (((_e2388[0].u * _e2399) + (_e2388[1].u * _e2354.u)) + (_e2388[2].u * _e2354.v)), (((_e2388[0].v * _e2399) + (_e2388[1].v * _e2354.u)) + (_e2388[2].v * _e2354.v)));
+                                                                                                    let _e2461 = (_e2457.indices[0] >> bitcast<u32>(2i));
+                                                                                                    if (_e2461 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2469 = alpha_texels.member[(0u + _e2465)];
-                                                                                                    let _e2485 = (_e2461.indices[1] >> bitcast<u32>(2i));
-                                                                                                    if (_e2485 < _e97) {
+                                                                                                    let _e2465 = alpha_texels.member[(0u + _e2461)];
+                                                                                                    let _e2481 = (_e2457.indices[1] >> bitcast<u32>(2i));
+                                                                                                    if (_e2481 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2489 = alpha_texels.member[(0u + _e2485)];
-                                                                                                    let _e2506 = (_e2461.indices[2] >> bitcast<u32>(2i));
-                                                                                                    if (_e2506 < _e97) {
+                                                                                                    let _e2485 = alpha_texels.member[(0u + _e2481)];
+                                                                                                    let _e2502 = (_e2457.indices[2] >> bitcast<u32>(2i));
+                                                                                                    if (_e2502 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2510 = alpha_texels.member[(0u + _e2506)];
-                                                                                                    let _e2527 = (_e2461.indices[3] >> bitcast<u32>(2i));
-                                                                                                    if (_e2527 < _e97) {
+                                                                                                    let _e2506 = alpha_texels.member[(0u + _e2502)];
+                                                                                                    let _e2523 = (_e2457.indices[3] >> bitcast<u32>(2i));
+                                                                                                    if (_e2523 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2531 = alpha_texels.member[(0u + _e2527)];
-                                                                                                    phi_3181_ = (_e2430 * (((((f32(((_e2469 >> bitcast<u32>((((_e2461.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.x) + ((f32(((_e2489 >> bitcast<u32>((((_e2461.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.y)) + ((f32(((_e2510 >> bitcast<u32>((((_e2461.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.z)) + ((f32(((_e2531 >> bitcast<u32>((((_e2461.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.w)));
+                                                                                                    let _e2527 = alpha_texels.member[(0u + _e2523)];
+                                                                                                    phi_3177_ = (_e2426 * (((((f32(((_e2465 >> bitcast<u32>((((_e2457.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.x) + ((f32(((_e2485 >> bitcast<u32>((((_e2457.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.y)) + ((f32(((_e2506 >> bitcast<u32>((((_e2457.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.z)) + ((f32(((_e2527 >> bitcast<u32>((((_e2457.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.w)));
                                                                                                 }
-                                                                                                let _e2547 = phi_3181_;
-                                                                                                phi_3184_ = (_e2547 >= _e2394.cutoff);
+                                                                                                let _e2543 = phi_3177_;
+                                                                                                phi_3180_ = (_e2543 >= _e2394.cutoff);
                                                                                             }
-                                                                                            let _e2551 = phi_3184_;
-                                                                                            phi_3185_ = _e2551;
+                                                                                            let _e2547 = phi_3180_;
+                                                                                            phi_3181_ = _e2547;
                                                                                         } else {
+                                                                                            phi_3181_ = false;
+                                                                                        }
+                                                                                        let _e2549 = phi_3181_;
+                                                                                        if _e2549 {
                                                                                             phi_3185_ = false;
-                                                                                        }
-                                                                                        let _e2553 = phi_3185_;
-                                                                                        if _e2553 {
-                                                                                            phi_3189_ = false;
                                                                                         } else {
-                                                                                            phi_3189_ = true;
+                                                                                            phi_3185_ = true;
                                                                                         }
-                                                                                        let _e2555 = phi_3189_;
-                                                                                        phi_3190_ = _e2555;
-                                                                                        phi_3191_ = _e2553;
+                                                                                        let _e2551 = phi_3185_;
+                                                                                        phi_3186_ = _e2551;
+                                                                                        phi_3187_ = _e2549;
                                                                                     }
-                                                                                    let _e2557 = phi_3190_;
-                                                                                    let _e2559 = phi_3191_;
-                                                                                    phi_3192_ = _e2557;
-                                                                                    phi_3193_ = _e2363;
-                                                                                    phi_3194_ = _e2559;
+                                                                                    let _e2553 = phi_3186_;
+                                                                                    let _e2555 = phi_3187_;
+                                                                                    phi_3188_ = _e2553;
+                                                                                    phi_3189_ = _e2363;
+                                                                                    phi_3190_ = _e2555;
                                                                                 } else {
-                                                                                    phi_3192_ = true;
-                                                                                    phi_3193_ = false;
-                                                                                    phi_3194_ = false;
+                                                                                    phi_3188_ = true;
+                                                                                    phi_3189_ = false;
+                                                                                    phi_3190_ = false;
                                                                                 }
-                                                                                let _e2561 = phi_3192_;
-                                                                                let _e2563 = phi_3193_;
-                                                                                let _e2565 = phi_3194_;
-                                                                                phi_3195_ = _e2561;
-                                                                                phi_3196_ = _e2563;
-                                                                                phi_3197_ = _e2565;
+                                                                                let _e2557 = phi_3188_;
+                                                                                let _e2559 = phi_3189_;
+                                                                                let _e2561 = phi_3190_;
+                                                                                phi_3191_ = _e2557;
+                                                                                phi_3192_ = _e2559;
+                                                                                phi_3193_ = _e2561;
                                                                             } else {
-                                                                                phi_3195_ = true;
-                                                                                phi_3196_ = false;
-                                                                                phi_3197_ = false;
+                                                                                phi_3191_ = true;
+                                                                                phi_3192_ = false;
+                                                                                phi_3193_ = false;
                                                                             }
-                                                                            let _e2567 = phi_3195_;
-                                                                            let _e2569 = phi_3196_;
-                                                                            let _e2571 = phi_3197_;
-                                                                            phi_3198_ = _e2567;
-                                                                            phi_3199_ = _e2569;
-                                                                            phi_3200_ = _e2571;
+                                                                            let _e2563 = phi_3191_;
+                                                                            let _e2565 = phi_3192_;
+                                                                            let _e2567 = phi_3193_;
+                                                                            phi_3194_ = _e2563;
+                                                                            phi_3195_ = _e2565;
+                                                                            phi_3196_ = _e2567;
                                                                         } else {
-                                                                            phi_3198_ = true;
-                                                                            phi_3199_ = false;
+                                                                            phi_3194_ = true;
+                                                                            phi_3195_ = false;
+                                                                            phi_3196_ = false;
+                                                                        }
+                                                                        let _e2569 = phi_3194_;
+                                                                        let _e2571 = phi_3195_;
+                                                                        let _e2573 = phi_3196_;
+                                                                        if _e2569 {
                                                                             phi_3200_ = false;
-                                                                        }
-                                                                        let _e2573 = phi_3198_;
-                                                                        let _e2575 = phi_3199_;
-                                                                        let _e2577 = phi_3200_;
-                                                                        if _e2573 {
-                                                                            phi_3204_ = false;
-                                                                            phi_3205_ = false;
+                                                                            phi_3201_ = false;
                                                                         } else {
-                                                                            phi_3204_ = _e2575;
-                                                                            phi_3205_ = _e2577;
+                                                                            phi_3200_ = _e2571;
+                                                                            phi_3201_ = _e2573;
                                                                         }
-                                                                        let _e2579 = phi_3204_;
-                                                                        let _e2581 = phi_3205_;
+                                                                        let _e2575 = phi_3200_;
+                                                                        let _e2577 = phi_3201_;
                                                                         phi_2492_ = (_e1982 & (_e1982 - 1u));
-                                                                        phi_3206_ = _e2573;
-                                                                        phi_3207_ = _e2579;
-                                                                        phi_3208_ = _e2581;
+                                                                        phi_3202_ = _e2569;
+                                                                        phi_3203_ = _e2575;
+                                                                        phi_3204_ = _e2577;
                                                                     }
-                                                                    let _e2583 = phi_2492_;
-                                                                    let _e2585 = phi_3206_;
-                                                                    let _e2587 = phi_3207_;
-                                                                    let _e2589 = phi_3208_;
-                                                                    local_14 = _e2587;
-                                                                    local_15 = _e2589;
+                                                                    let _e2579 = phi_2492_;
+                                                                    let _e2581 = phi_3202_;
+                                                                    let _e2583 = phi_3203_;
+                                                                    let _e2585 = phi_3204_;
+                                                                    local_14 = _e2583;
+                                                                    local_15 = _e2585;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2491_ = _e2583;
-                                                                        break if !(_e2585);
+                                                                        phi_2491_ = _e2579;
+                                                                        break if !(_e2581);
                                                                     }
                                                                 }
-                                                                let _e2592 = local_10;
-                                                                if _e2592 {
-                                                                    let _e2594 = local_1.group_mask;
-                                                                    if ((_e2594 & 4278190080u) == 0u) {
-                                                                        let _e2598 = local_1.len;
-                                                                        if (_e2598 == 0u) {
-                                                                            phi_3250_ = false;
+                                                                let _e2588 = local_10;
+                                                                if _e2588 {
+                                                                    let _e2590 = local_1.group_mask;
+                                                                    if ((_e2590 & 4278190080u) == 0u) {
+                                                                        let _e2594 = local_1.len;
+                                                                        if (_e2594 == 0u) {
+                                                                            phi_3246_ = false;
                                                                         } else {
-                                                                            let _e2602 = local_1.len;
-                                                                            local_1.len = (_e2602 - 1u);
-                                                                            let _e2605 = local_1.len;
-                                                                            if (_e2605 < 32u) {
+                                                                            let _e2598 = local_1.len;
+                                                                            local_1.len = (_e2598 - 1u);
+                                                                            let _e2601 = local_1.len;
+                                                                            if (_e2601 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2610 = local_1.first[(0u + _e2605)];
-                                                                            local_1.group = _e2610;
-                                                                            let _e2613 = local_1.len;
-                                                                            if (_e2613 < 32u) {
+                                                                            let _e2606 = local_1.first[(0u + _e2601)];
+                                                                            local_1.group = _e2606;
+                                                                            let _e2609 = local_1.len;
+                                                                            if (_e2609 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2618 = local_1.mask[(0u + _e2613)];
-                                                                            local_1.group_mask = _e2618;
-                                                                            phi_3250_ = true;
+                                                                            let _e2614 = local_1.mask[(0u + _e2609)];
+                                                                            local_1.group_mask = _e2614;
+                                                                            phi_3246_ = true;
                                                                         }
-                                                                        let _e2621 = phi_3250_;
-                                                                        phi_3251_ = _e2621;
+                                                                        let _e2617 = phi_3246_;
+                                                                        phi_3247_ = _e2617;
                                                                     } else {
-                                                                        phi_3251_ = true;
+                                                                        phi_3247_ = true;
                                                                     }
-                                                                    let _e2623 = phi_3251_;
-                                                                    if _e2623 {
-                                                                        let _e2625 = local_1.group_mask;
-                                                                        let _e2631 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2625)), 32u, (_e2625 == 0u)));
-                                                                        let _e2635 = local_1.group_mask;
-                                                                        let _e2649 = local_1.group_mask;
-                                                                        local_1.group_mask = (_e2649 & ~((1u << bitcast<u32>((_e2631 & 31u)))));
-                                                                        let _e2652 = local_1.group;
-                                                                        phi_3282_ = (_e2652 + countOneBits(((_e2635 & ~((4294967295u << bitcast<u32>((((_e2631 - 24u) ^ _e1408) & 31u))))) & 255u)));
+                                                                    let _e2619 = phi_3247_;
+                                                                    if _e2619 {
+                                                                        let _e2621 = local_1.group_mask;
+                                                                        let _e2627 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2621)), 32u, (_e2621 == 0u)));
+                                                                        let _e2631 = local_1.group_mask;
+                                                                        let _e2645 = local_1.group_mask;
+                                                                        local_1.group_mask = (_e2645 & ~((1u << bitcast<u32>((_e2627 & 31u)))));
+                                                                        let _e2648 = local_1.group;
+                                                                        phi_3278_ = (_e2648 + countOneBits(((_e2631 & ~((4294967295u << bitcast<u32>((((_e2627 - 24u) ^ _e1408) & 31u))))) & 255u)));
                                                                     } else {
-                                                                        phi_3282_ = 4294967295u;
+                                                                        phi_3278_ = 4294967295u;
                                                                     }
-                                                                    let _e2655 = phi_3282_;
-                                                                    phi_3283_ = _e2655;
-                                                                    phi_3284_ = false;
-                                                                    phi_3285_ = false;
+                                                                    let _e2651 = phi_3278_;
+                                                                    phi_3279_ = _e2651;
+                                                                    phi_3280_ = false;
+                                                                    phi_3281_ = false;
                                                                 } else {
-                                                                    phi_3283_ = u32();
-                                                                    let _e3039 = local_14;
-                                                                    phi_3284_ = _e3039;
-                                                                    let _e3042 = local_15;
-                                                                    phi_3285_ = _e3042;
+                                                                    phi_3279_ = u32();
+                                                                    let _e3035 = local_14;
+                                                                    phi_3280_ = _e3035;
+                                                                    let _e3038 = local_15;
+                                                                    phi_3281_ = _e3038;
                                                                 }
-                                                                let _e2657 = phi_3283_;
-                                                                let _e2659 = phi_3284_;
-                                                                let _e2661 = phi_3285_;
-                                                                phi_2162_ = _e2657;
-                                                                let _e3046 = local_16;
-                                                                phi_3286_ = _e3046;
-                                                                phi_3287_ = false;
-                                                                phi_3288_ = _e2659;
-                                                                phi_3289_ = _e2661;
+                                                                let _e2653 = phi_3279_;
+                                                                let _e2655 = phi_3280_;
+                                                                let _e2657 = phi_3281_;
+                                                                phi_2162_ = _e2653;
+                                                                let _e3042 = local_16;
+                                                                phi_3282_ = _e3042;
+                                                                phi_3283_ = false;
+                                                                phi_3284_ = _e2655;
+                                                                phi_3285_ = _e2657;
                                                             } else {
                                                                 phi_2162_ = u32();
-                                                                phi_3286_ = false;
-                                                                phi_3287_ = true;
-                                                                phi_3288_ = false;
-                                                                phi_3289_ = false;
+                                                                phi_3282_ = false;
+                                                                phi_3283_ = true;
+                                                                phi_3284_ = false;
+                                                                phi_3285_ = false;
                                                             }
-                                                            let _e2663 = phi_2162_;
-                                                            let _e2665 = phi_3286_;
-                                                            let _e2667 = phi_3287_;
-                                                            let _e2669 = phi_3288_;
-                                                            let _e2671 = phi_3289_;
-                                                            local_11 = _e2667;
-                                                            local_17 = _e2669;
-                                                            local_18 = _e2671;
+                                                            let _e2659 = phi_2162_;
+                                                            let _e2661 = phi_3282_;
+                                                            let _e2663 = phi_3283_;
+                                                            let _e2665 = phi_3284_;
+                                                            let _e2667 = phi_3285_;
+                                                            local_11 = _e2663;
+                                                            local_17 = _e2665;
+                                                            local_18 = _e2667;
                                                             continue;
                                                             continuing {
-                                                                phi_2161_ = _e2663;
-                                                                break if !(_e2665);
+                                                                phi_2161_ = _e2659;
+                                                                break if !(_e2661);
                                                             }
                                                         }
-                                                        let _e2674 = local_11;
-                                                        if _e2674 {
-                                                            phi_3293_ = false;
-                                                            phi_3294_ = false;
+                                                        let _e2670 = local_11;
+                                                        if _e2670 {
+                                                            phi_3289_ = false;
+                                                            phi_3290_ = false;
                                                         } else {
-                                                            let _e3053 = local_17;
-                                                            phi_3293_ = _e3053;
-                                                            let _e3056 = local_18;
-                                                            phi_3294_ = _e3056;
+                                                            let _e3049 = local_17;
+                                                            phi_3289_ = _e3049;
+                                                            let _e3052 = local_18;
+                                                            phi_3290_ = _e3052;
                                                         }
-                                                        let _e2676 = phi_3293_;
-                                                        let _e2678 = phi_3294_;
+                                                        let _e2672 = phi_3289_;
+                                                        let _e2674 = phi_3290_;
+                                                        if _e2672 {
+                                                            phi_3294_ = true;
+                                                        } else {
+                                                            phi_3294_ = _e2674;
+                                                        }
+                                                        let _e2676 = phi_3294_;
                                                         if _e2676 {
                                                             phi_3298_ = true;
                                                         } else {
-                                                            phi_3298_ = _e2678;
+                                                            phi_3298_ = false;
                                                         }
-                                                        let _e2680 = phi_3298_;
-                                                        if _e2680 {
-                                                            phi_3302_ = true;
-                                                        } else {
-                                                            phi_3302_ = false;
-                                                        }
-                                                        let _e2682 = phi_3302_;
-                                                        phi_3303_ = _e2682;
+                                                        let _e2678 = phi_3298_;
+                                                        phi_3299_ = _e2678;
                                                     }
-                                                    let _e2684 = phi_3303_;
-                                                    phi_3304_ = _e2684;
-                                                    phi_3305_ = _e1234;
+                                                    let _e2680 = phi_3299_;
+                                                    phi_3300_ = _e2680;
+                                                    phi_3301_ = _e1234;
                                                 } else {
-                                                    phi_3304_ = bool();
-                                                    phi_3305_ = true;
+                                                    phi_3300_ = bool();
+                                                    phi_3301_ = true;
                                                 }
-                                                let _e2686 = phi_3304_;
-                                                let _e2688 = phi_3305_;
-                                                if _e2688 {
+                                                let _e2682 = phi_3300_;
+                                                let _e2684 = phi_3301_;
+                                                if _e2684 {
+                                                    phi_3305_ = false;
+                                                } else {
+                                                    phi_3305_ = _e2682;
+                                                }
+                                                let _e2686 = phi_3305_;
+                                                if _e2686 {
                                                     phi_3309_ = false;
                                                 } else {
-                                                    phi_3309_ = _e2686;
+                                                    phi_3309_ = true;
                                                 }
-                                                let _e2690 = phi_3309_;
-                                                if _e2690 {
-                                                    phi_3313_ = false;
-                                                } else {
-                                                    phi_3313_ = true;
-                                                }
-                                                let _e2692 = phi_3313_;
-                                                phi_3314_ = _e2692;
+                                                let _e2688 = phi_3309_;
+                                                phi_3310_ = _e2688;
                                             } else {
-                                                phi_3314_ = true;
+                                                phi_3310_ = true;
                                             }
-                                            let _e2694 = phi_3314_;
-                                            phi_3315_ = _e2694;
+                                            let _e2690 = phi_3310_;
+                                            phi_3311_ = _e2690;
                                         } else {
-                                            phi_3315_ = true;
+                                            phi_3311_ = true;
                                         }
-                                        let _e2696 = phi_3315_;
-                                        phi_3316_ = _e2696;
+                                        let _e2692 = phi_3311_;
+                                        phi_3312_ = _e2692;
                                     } else {
-                                        phi_3316_ = true;
+                                        phi_3312_ = true;
                                     }
-                                    let _e2698 = phi_3316_;
-                                    if _e2698 {
+                                    let _e2694 = phi_3312_;
+                                    if _e2694 {
                                     }
                                     phi_1556_ = (_e1021 & (_e1021 - 1u));
-                                    phi_3320_ = _e2698;
+                                    phi_3316_ = _e2694;
                                 }
-                                let _e2700 = phi_1556_;
-                                let _e2702 = phi_3320_;
+                                let _e2696 = phi_1556_;
+                                let _e2698 = phi_3316_;
                                 continue;
                                 continuing {
-                                    phi_1555_ = _e2700;
-                                    break if !(_e2702);
+                                    phi_1555_ = _e2696;
+                                    break if !(_e2698);
                                 }
                             }
-                            let _e2705 = local_12;
-                            if _e2705 {
-                                let _e2707 = local_2.group_mask;
-                                if ((_e2707 & 4278190080u) == 0u) {
-                                    let _e2711 = local_2.len;
-                                    if (_e2711 == 0u) {
-                                        phi_3362_ = false;
+                            let _e2701 = local_12;
+                            if _e2701 {
+                                let _e2703 = local_2.group_mask;
+                                if ((_e2703 & 4278190080u) == 0u) {
+                                    let _e2707 = local_2.len;
+                                    if (_e2707 == 0u) {
+                                        phi_3358_ = false;
                                     } else {
-                                        let _e2715 = local_2.len;
-                                        local_2.len = (_e2715 - 1u);
-                                        let _e2718 = local_2.len;
-                                        if (_e2718 < 32u) {
+                                        let _e2711 = local_2.len;
+                                        local_2.len = (_e2711 - 1u);
+                                        let _e2714 = local_2.len;
+                                        if (_e2714 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2723 = local_2.first[(0u + _e2718)];
-                                        local_2.group = _e2723;
-                                        let _e2726 = local_2.len;
-                                        if (_e2726 < 32u) {
+                                        let _e2719 = local_2.first[(0u + _e2714)];
+                                        local_2.group = _e2719;
+                                        let _e2722 = local_2.len;
+                                        if (_e2722 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2731 = local_2.mask[(0u + _e2726)];
-                                        local_2.group_mask = _e2731;
-                                        phi_3362_ = true;
+                                        let _e2727 = local_2.mask[(0u + _e2722)];
+                                        local_2.group_mask = _e2727;
+                                        phi_3358_ = true;
                                     }
-                                    let _e2734 = phi_3362_;
-                                    phi_3363_ = _e2734;
+                                    let _e2730 = phi_3358_;
+                                    phi_3359_ = _e2730;
                                 } else {
-                                    phi_3363_ = true;
+                                    phi_3359_ = true;
                                 }
-                                let _e2736 = phi_3363_;
-                                if _e2736 {
-                                    let _e2738 = local_2.group_mask;
-                                    let _e2744 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2738)), 32u, (_e2738 == 0u)));
-                                    let _e2748 = local_2.group_mask;
-                                    let _e2762 = local_2.group_mask;
-                                    local_2.group_mask = (_e2762 & ~((1u << bitcast<u32>((_e2744 & 31u)))));
-                                    let _e2765 = local_2.group;
-                                    phi_3394_ = (_e2765 + countOneBits(((_e2748 & ~((4294967295u << bitcast<u32>((((_e2744 - 24u) ^ _e447) & 31u))))) & 255u)));
+                                let _e2732 = phi_3359_;
+                                if _e2732 {
+                                    let _e2734 = local_2.group_mask;
+                                    let _e2740 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2734)), 32u, (_e2734 == 0u)));
+                                    let _e2744 = local_2.group_mask;
+                                    let _e2758 = local_2.group_mask;
+                                    local_2.group_mask = (_e2758 & ~((1u << bitcast<u32>((_e2740 & 31u)))));
+                                    let _e2761 = local_2.group;
+                                    phi_3390_ = (_e2761 + countOneBits(((_e2744 & ~((4294967295u << bitcast<u32>((((_e2740 - 24u) ^ _e447) & 31u))))) & 255u)));
                                 } else {
-                                    phi_3394_ = 4294967295u;
+                                    phi_3390_ = 4294967295u;
                                 }
-                                let _e2768 = phi_3394_;
-                                phi_3395_ = _e2768;
+                                let _e2764 = phi_3390_;
+                                phi_3391_ = _e2764;
                             } else {
-                                phi_3395_ = u32();
+                                phi_3391_ = u32();
                             }
-                            let _e2770 = phi_3395_;
-                            phi_1226_ = _e2770;
-                            let _e3077 = local_19;
-                            phi_3396_ = _e3077;
-                            phi_3397_ = false;
+                            let _e2766 = phi_3391_;
+                            phi_1226_ = _e2766;
+                            let _e3073 = local_19;
+                            phi_3392_ = _e3073;
+                            phi_3393_ = false;
                         } else {
                             phi_1226_ = u32();
-                            phi_3396_ = false;
-                            phi_3397_ = true;
+                            phi_3392_ = false;
+                            phi_3393_ = true;
                         }
-                        let _e2772 = phi_1226_;
-                        let _e2774 = phi_3396_;
-                        let _e2776 = phi_3397_;
-                        local_13 = _e2776;
+                        let _e2768 = phi_1226_;
+                        let _e2770 = phi_3392_;
+                        let _e2772 = phi_3393_;
+                        local_13 = _e2772;
                         continue;
                         continuing {
-                            phi_1225_ = _e2772;
-                            break if !(_e2774);
+                            phi_1225_ = _e2768;
+                            break if !(_e2770);
                         }
                     }
-                    let _e2779 = local_13;
-                    if _e2779 {
-                        phi_3401_ = false;
+                    let _e2775 = local_13;
+                    if _e2775 {
+                        phi_3397_ = false;
                     } else {
+                        phi_3397_ = true;
+                    }
+                    let _e2777 = phi_3397_;
+                    if _e2777 {
                         phi_3401_ = true;
-                    }
-                    let _e2781 = phi_3401_;
-                    if _e2781 {
-                        phi_3405_ = true;
                     } else {
-                        phi_3405_ = false;
+                        phi_3401_ = false;
                     }
-                    let _e2783 = phi_3405_;
-                    phi_3406_ = _e2783;
+                    let _e2779 = phi_3401_;
+                    phi_3402_ = _e2779;
                 }
-                let _e2785 = phi_3406_;
-                phi_3407_ = _e2785;
-                phi_3408_ = _e303;
+                let _e2781 = phi_3402_;
+                phi_3403_ = _e2781;
+                phi_3404_ = _e303;
             } else {
-                phi_3407_ = bool();
-                phi_3408_ = true;
+                phi_3403_ = bool();
+                phi_3404_ = true;
             }
-            let _e2787 = phi_3407_;
-            let _e2789 = phi_3408_;
-            if _e2789 {
-                phi_3412_ = false;
+            let _e2783 = phi_3403_;
+            let _e2785 = phi_3404_;
+            if _e2785 {
+                phi_3408_ = false;
             } else {
-                phi_3412_ = _e2787;
+                phi_3408_ = _e2783;
             }
-            let _e2791 = phi_3412_;
-            if _e2791 {
-                phi_3416_ = 0f;
+            let _e2787 = phi_3408_;
+            if _e2787 {
+                phi_3412_ = 0f;
             } else {
-                phi_3416_ = 1f;
+                phi_3412_ = 1f;
             }
-            let _e2793 = phi_3416_;
-            phi_3417_ = _e2793;
+            let _e2789 = phi_3412_;
+            phi_3413_ = _e2789;
         }
-        let _e2795 = phi_3417_;
+        let _e2791 = phi_3413_;
         if (_e103.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e103.first_primitive)] = _e2795;
+        visibility.member[(0u + _e103.first_primitive)] = _e2791;
     }
     return;
 }

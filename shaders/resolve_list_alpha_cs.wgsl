@@ -696,9 +696,13 @@ fn function_() {
     var phi_1906_: bool;
     var phi_1910_: bool;
     var phi_1914_: lt_bvh_triangle_Intersection;
-    var phi_2132_: f32;
-    var phi_2135_: bool;
+    var phi_2128_: f32;
+    var phi_2131_: bool;
+    var phi_2132_: bool;
     var phi_2136_: bool;
+    var phi_2137_: bool;
+    var phi_2138_: bool;
+    var phi_2139_: bool;
     var phi_2140_: bool;
     var phi_2141_: bool;
     var phi_2142_: bool;
@@ -707,38 +711,34 @@ fn function_() {
     var phi_2145_: bool;
     var phi_2146_: bool;
     var phi_2147_: bool;
-    var phi_2148_: bool;
-    var phi_2149_: bool;
-    var phi_2150_: bool;
     var phi_2151_: bool;
-    var phi_2155_: bool;
-    var phi_2156_: bool;
+    var phi_2152_: bool;
     var phi_1443_: u32;
-    var phi_2157_: bool;
-    var phi_2158_: bool;
-    var phi_2159_: bool;
+    var phi_2153_: bool;
+    var phi_2154_: bool;
+    var phi_2155_: bool;
     var local_5: bool;
-    var phi_2201_: bool;
-    var phi_2202_: bool;
-    var phi_2233_: u32;
-    var phi_2234_: u32;
+    var phi_2197_: bool;
+    var phi_2198_: bool;
+    var phi_2229_: u32;
+    var phi_2230_: u32;
+    var phi_2231_: bool;
+    var phi_2232_: bool;
+    var phi_1113_: u32;
+    var phi_2233_: bool;
+    var phi_2234_: bool;
     var phi_2235_: bool;
     var phi_2236_: bool;
-    var phi_1113_: u32;
-    var phi_2237_: bool;
-    var phi_2238_: bool;
-    var phi_2239_: bool;
-    var phi_2240_: bool;
     var local_6: bool;
-    var phi_2244_: bool;
+    var phi_2240_: bool;
+    var phi_2241_: bool;
     var phi_2245_: bool;
     var phi_2249_: bool;
-    var phi_2253_: bool;
-    var phi_2254_: bool;
-    var phi_2255_: bool;
+    var phi_2250_: bool;
+    var phi_2251_: bool;
+    var phi_2252_: bool;
     var phi_2256_: bool;
-    var phi_2260_: bool;
-    var phi_2264_: f32;
+    var phi_2260_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -894,7 +894,7 @@ fn function_() {
         if _e207 {
             let _e208 = (0u >= _e75);
             if _e208 {
-                phi_2254_ = bool();
+                phi_2250_ = bool();
             } else {
                 if (0u < _e75) {
                 } else {
@@ -1284,9 +1284,9 @@ fn function_() {
                             local_9 = _e957;
                             if _e957 {
                                 phi_1443_ = u32();
-                                phi_2157_ = false;
-                                phi_2158_ = false;
-                                phi_2159_ = false;
+                                phi_2153_ = false;
+                                phi_2154_ = false;
+                                phi_2155_ = false;
                             } else {
                                 let _e960 = nodes.member[(0u + _e520)].links[1u];
                                 let _e965 = ((0u + _e960) + select(firstTrailingBit(_e956), 32u, (_e956 == 0u)));
@@ -1728,8 +1728,8 @@ fn function_() {
                                             let _e1335 = triangles.member[(0u + _e965)].i0_;
                                             let _e1337 = ((_e1335 & 2147483648u) == 0u);
                                             if _e1337 {
-                                                phi_2141_ = false;
-                                                phi_2142_ = false;
+                                                phi_2137_ = false;
+                                                phi_2138_ = false;
                                             } else {
                                                 if (_e965 < _e78) {
                                                 } else {
@@ -1763,257 +1763,257 @@ fn function_() {
                                                 if ((_e1368.flags & 1u) == 1u) {
                                                     let _e1373 = ((1f - _e1328.u) - _e1328.v);
                                                     if (_e1368.cutoff <= 0f) {
-                                                        phi_2135_ = true;
+                                                        phi_2131_ = true;
                                                     } else {
-                                                        let _e1404 = (_e1368.base_color.w * ((((f32((_e1362[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1373) + ((f32((_e1362[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1328.u)) + ((f32((_e1362[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e1328.v)));
+                                                        let _e1400 = (_e1368.base_color.w * ((((f32((_e1362[0].color >> bitcast<u32>(24i))) * _e1373) + (f32((_e1362[1].color >> bitcast<u32>(24i))) * _e1328.u)) + (f32((_e1362[2].color >> bitcast<u32>(24i))) * _e1328.v)) * (1f / 255f)));
                                                         if (_e1368.alpha_size == 0u) {
-                                                            phi_2132_ = _e1404;
+                                                            phi_2128_ = _e1400;
                                                         } else {
                                                             local.offset = _e1368.alpha_offset;
                                                             local.size = _e1368.alpha_size;
                                                             local.flags = _e1368.flags;
-                                                            let _e1435 = _lt_shaders_texture_TextureView_quad((&local), (((_e1362[0].u * _e1373) + (_e1362[1].u * _e1328.u)) + (_e1362[2].u * _e1328.v)), (((_e1362[0].v * _e1373) + (_e1362[1].v * _e1328.u)) + (_e1362[2].v * _e1328.v)));
-                                                            let _e1439 = (_e1435.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1439 < _e93) {
+                                                            let _e1431 = _lt_shaders_texture_TextureView_quad((&local), (((_e1362[0].u * _e1373) + (_e1362[1].u * _e1328.u)) + (_e1362[2].u * _e1328.v)), (((_e1362[0].v * _e1373) + (_e1362[1].v * _e1328.u)) + (_e1362[2].v * _e1328.v)));
+                                                            let _e1435 = (_e1431.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1435 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1443 = alpha_texels.member[(0u + _e1439)];
-                                                            let _e1459 = (_e1435.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1459 < _e93) {
+                                                            let _e1439 = alpha_texels.member[(0u + _e1435)];
+                                                            let _e1455 = (_e1431.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1455 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1463 = alpha_texels.member[(0u + _e1459)];
-                                                            let _e1480 = (_e1435.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1480 < _e93) {
+                                                            let _e1459 = alpha_texels.member[(0u + _e1455)];
+                                                            let _e1476 = (_e1431.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1476 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1484 = alpha_texels.member[(0u + _e1480)];
-                                                            let _e1501 = (_e1435.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1501 < _e93) {
+                                                            let _e1480 = alpha_texels.member[(0u + _e1476)];
+                                                            let _e1497 = (_e1431.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1497 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1505 = alpha_texels.member[(0u + _e1501)];
-                                                            phi_2132_ = (_e1404 * (((((f32(((_e1443 >> bitcast<u32>((((_e1435.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.x) + ((f32(((_e1463 >> bitcast<u32>((((_e1435.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.y)) + ((f32(((_e1484 >> bitcast<u32>((((_e1435.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.z)) + ((f32(((_e1505 >> bitcast<u32>((((_e1435.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.w)));
+                                                            let _e1501 = alpha_texels.member[(0u + _e1497)];
+                                                            phi_2128_ = (_e1400 * (((((f32(((_e1439 >> bitcast<u32>((((_e1431.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1431.weights.x) + ((f32(((_e1459 >> bitcast<u32>((((_e1431.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1431.weights.y)) + ((f32(((_e1480 >> bitcast<u32>((((_e1431.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1431.weights.z)) + ((f32(((_e1501 >> bitcast<u32>((((_e1431.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1431.weights.w)));
                                                         }
-                                                        let _e1521 = phi_2132_;
-                                                        phi_2135_ = (_e1521 >= _e1368.cutoff);
+                                                        let _e1517 = phi_2128_;
+                                                        phi_2131_ = (_e1517 >= _e1368.cutoff);
                                                     }
-                                                    let _e1525 = phi_2135_;
-                                                    phi_2136_ = _e1525;
+                                                    let _e1521 = phi_2131_;
+                                                    phi_2132_ = _e1521;
                                                 } else {
+                                                    phi_2132_ = false;
+                                                }
+                                                let _e1523 = phi_2132_;
+                                                if _e1523 {
                                                     phi_2136_ = false;
-                                                }
-                                                let _e1527 = phi_2136_;
-                                                if _e1527 {
-                                                    phi_2140_ = false;
                                                 } else {
-                                                    phi_2140_ = true;
+                                                    phi_2136_ = true;
                                                 }
-                                                let _e1529 = phi_2140_;
-                                                phi_2141_ = _e1529;
-                                                phi_2142_ = _e1527;
+                                                let _e1525 = phi_2136_;
+                                                phi_2137_ = _e1525;
+                                                phi_2138_ = _e1523;
                                             }
-                                            let _e1531 = phi_2141_;
-                                            let _e1533 = phi_2142_;
-                                            phi_2143_ = _e1531;
-                                            phi_2144_ = _e1337;
-                                            phi_2145_ = _e1533;
+                                            let _e1527 = phi_2137_;
+                                            let _e1529 = phi_2138_;
+                                            phi_2139_ = _e1527;
+                                            phi_2140_ = _e1337;
+                                            phi_2141_ = _e1529;
                                         } else {
-                                            phi_2143_ = true;
-                                            phi_2144_ = false;
-                                            phi_2145_ = false;
+                                            phi_2139_ = true;
+                                            phi_2140_ = false;
+                                            phi_2141_ = false;
                                         }
-                                        let _e1535 = phi_2143_;
-                                        let _e1537 = phi_2144_;
-                                        let _e1539 = phi_2145_;
-                                        phi_2146_ = _e1535;
-                                        phi_2147_ = _e1537;
-                                        phi_2148_ = _e1539;
+                                        let _e1531 = phi_2139_;
+                                        let _e1533 = phi_2140_;
+                                        let _e1535 = phi_2141_;
+                                        phi_2142_ = _e1531;
+                                        phi_2143_ = _e1533;
+                                        phi_2144_ = _e1535;
                                     } else {
-                                        phi_2146_ = true;
-                                        phi_2147_ = false;
-                                        phi_2148_ = false;
+                                        phi_2142_ = true;
+                                        phi_2143_ = false;
+                                        phi_2144_ = false;
                                     }
-                                    let _e1541 = phi_2146_;
-                                    let _e1543 = phi_2147_;
-                                    let _e1545 = phi_2148_;
-                                    phi_2149_ = _e1541;
-                                    phi_2150_ = _e1543;
-                                    phi_2151_ = _e1545;
+                                    let _e1537 = phi_2142_;
+                                    let _e1539 = phi_2143_;
+                                    let _e1541 = phi_2144_;
+                                    phi_2145_ = _e1537;
+                                    phi_2146_ = _e1539;
+                                    phi_2147_ = _e1541;
                                 } else {
-                                    phi_2149_ = true;
-                                    phi_2150_ = false;
+                                    phi_2145_ = true;
+                                    phi_2146_ = false;
+                                    phi_2147_ = false;
+                                }
+                                let _e1543 = phi_2145_;
+                                let _e1545 = phi_2146_;
+                                let _e1547 = phi_2147_;
+                                if _e1543 {
                                     phi_2151_ = false;
-                                }
-                                let _e1547 = phi_2149_;
-                                let _e1549 = phi_2150_;
-                                let _e1551 = phi_2151_;
-                                if _e1547 {
-                                    phi_2155_ = false;
-                                    phi_2156_ = false;
+                                    phi_2152_ = false;
                                 } else {
-                                    phi_2155_ = _e1549;
-                                    phi_2156_ = _e1551;
+                                    phi_2151_ = _e1545;
+                                    phi_2152_ = _e1547;
                                 }
-                                let _e1553 = phi_2155_;
-                                let _e1555 = phi_2156_;
+                                let _e1549 = phi_2151_;
+                                let _e1551 = phi_2152_;
                                 phi_1443_ = (_e956 & (_e956 - 1u));
-                                phi_2157_ = _e1547;
-                                phi_2158_ = _e1553;
-                                phi_2159_ = _e1555;
+                                phi_2153_ = _e1543;
+                                phi_2154_ = _e1549;
+                                phi_2155_ = _e1551;
                             }
-                            let _e1557 = phi_1443_;
-                            let _e1559 = phi_2157_;
-                            let _e1561 = phi_2158_;
-                            let _e1563 = phi_2159_;
-                            local_7 = _e1561;
-                            local_8 = _e1563;
+                            let _e1553 = phi_1443_;
+                            let _e1555 = phi_2153_;
+                            let _e1557 = phi_2154_;
+                            let _e1559 = phi_2155_;
+                            local_7 = _e1557;
+                            local_8 = _e1559;
                             continue;
                             continuing {
-                                phi_1442_ = _e1557;
-                                break if !(_e1559);
+                                phi_1442_ = _e1553;
+                                break if !(_e1555);
                             }
                         }
-                        let _e1566 = local_5;
-                        if _e1566 {
-                            let _e1568 = local_1.group_mask;
-                            if ((_e1568 & 4278190080u) == 0u) {
-                                let _e1572 = local_1.len;
-                                if (_e1572 == 0u) {
-                                    phi_2201_ = false;
+                        let _e1562 = local_5;
+                        if _e1562 {
+                            let _e1564 = local_1.group_mask;
+                            if ((_e1564 & 4278190080u) == 0u) {
+                                let _e1568 = local_1.len;
+                                if (_e1568 == 0u) {
+                                    phi_2197_ = false;
                                 } else {
-                                    let _e1576 = local_1.len;
-                                    local_1.len = (_e1576 - 1u);
-                                    let _e1579 = local_1.len;
-                                    if (_e1579 < 32u) {
+                                    let _e1572 = local_1.len;
+                                    local_1.len = (_e1572 - 1u);
+                                    let _e1575 = local_1.len;
+                                    if (_e1575 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1584 = local_1.first[(0u + _e1579)];
-                                    local_1.group = _e1584;
-                                    let _e1587 = local_1.len;
-                                    if (_e1587 < 32u) {
+                                    let _e1580 = local_1.first[(0u + _e1575)];
+                                    local_1.group = _e1580;
+                                    let _e1583 = local_1.len;
+                                    if (_e1583 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1592 = local_1.mask[(0u + _e1587)];
-                                    local_1.group_mask = _e1592;
-                                    phi_2201_ = true;
+                                    let _e1588 = local_1.mask[(0u + _e1583)];
+                                    local_1.group_mask = _e1588;
+                                    phi_2197_ = true;
                                 }
-                                let _e1595 = phi_2201_;
-                                phi_2202_ = _e1595;
+                                let _e1591 = phi_2197_;
+                                phi_2198_ = _e1591;
                             } else {
-                                phi_2202_ = true;
+                                phi_2198_ = true;
                             }
-                            let _e1597 = phi_2202_;
-                            if _e1597 {
-                                let _e1599 = local_1.group_mask;
-                                let _e1605 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1599)), 32u, (_e1599 == 0u)));
-                                let _e1609 = local_1.group_mask;
-                                let _e1623 = local_1.group_mask;
-                                local_1.group_mask = (_e1623 & ~((1u << bitcast<u32>((_e1605 & 31u)))));
-                                let _e1626 = local_1.group;
-                                phi_2233_ = (_e1626 + countOneBits(((_e1609 & ~((4294967295u << bitcast<u32>((((_e1605 - 24u) ^ _e382) & 31u))))) & 255u)));
+                            let _e1593 = phi_2198_;
+                            if _e1593 {
+                                let _e1595 = local_1.group_mask;
+                                let _e1601 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1595)), 32u, (_e1595 == 0u)));
+                                let _e1605 = local_1.group_mask;
+                                let _e1619 = local_1.group_mask;
+                                local_1.group_mask = (_e1619 & ~((1u << bitcast<u32>((_e1601 & 31u)))));
+                                let _e1622 = local_1.group;
+                                phi_2229_ = (_e1622 + countOneBits(((_e1605 & ~((4294967295u << bitcast<u32>((((_e1601 - 24u) ^ _e382) & 31u))))) & 255u)));
                             } else {
-                                phi_2233_ = 4294967295u;
+                                phi_2229_ = 4294967295u;
                             }
-                            let _e1629 = phi_2233_;
-                            phi_2234_ = _e1629;
-                            phi_2235_ = false;
-                            phi_2236_ = false;
+                            let _e1625 = phi_2229_;
+                            phi_2230_ = _e1625;
+                            phi_2231_ = false;
+                            phi_2232_ = false;
                         } else {
-                            phi_2234_ = u32();
-                            let _e1841 = local_7;
-                            phi_2235_ = _e1841;
-                            let _e1844 = local_8;
-                            phi_2236_ = _e1844;
+                            phi_2230_ = u32();
+                            let _e1837 = local_7;
+                            phi_2231_ = _e1837;
+                            let _e1840 = local_8;
+                            phi_2232_ = _e1840;
                         }
-                        let _e1631 = phi_2234_;
-                        let _e1633 = phi_2235_;
-                        let _e1635 = phi_2236_;
-                        phi_1113_ = _e1631;
-                        let _e1848 = local_9;
-                        phi_2237_ = _e1848;
-                        phi_2238_ = false;
-                        phi_2239_ = _e1633;
-                        phi_2240_ = _e1635;
+                        let _e1627 = phi_2230_;
+                        let _e1629 = phi_2231_;
+                        let _e1631 = phi_2232_;
+                        phi_1113_ = _e1627;
+                        let _e1844 = local_9;
+                        phi_2233_ = _e1844;
+                        phi_2234_ = false;
+                        phi_2235_ = _e1629;
+                        phi_2236_ = _e1631;
                     } else {
                         phi_1113_ = u32();
-                        phi_2237_ = false;
-                        phi_2238_ = true;
-                        phi_2239_ = false;
-                        phi_2240_ = false;
+                        phi_2233_ = false;
+                        phi_2234_ = true;
+                        phi_2235_ = false;
+                        phi_2236_ = false;
                     }
-                    let _e1637 = phi_1113_;
-                    let _e1639 = phi_2237_;
-                    let _e1641 = phi_2238_;
-                    let _e1643 = phi_2239_;
-                    let _e1645 = phi_2240_;
-                    local_6 = _e1641;
-                    local_10 = _e1643;
-                    local_11 = _e1645;
+                    let _e1633 = phi_1113_;
+                    let _e1635 = phi_2233_;
+                    let _e1637 = phi_2234_;
+                    let _e1639 = phi_2235_;
+                    let _e1641 = phi_2236_;
+                    local_6 = _e1637;
+                    local_10 = _e1639;
+                    local_11 = _e1641;
                     continue;
                     continuing {
-                        phi_1112_ = _e1637;
-                        break if !(_e1639);
+                        phi_1112_ = _e1633;
+                        break if !(_e1635);
                     }
                 }
-                let _e1648 = local_6;
-                if _e1648 {
-                    phi_2244_ = false;
-                    phi_2245_ = false;
+                let _e1644 = local_6;
+                if _e1644 {
+                    phi_2240_ = false;
+                    phi_2241_ = false;
                 } else {
-                    let _e1855 = local_10;
-                    phi_2244_ = _e1855;
-                    let _e1858 = local_11;
-                    phi_2245_ = _e1858;
+                    let _e1851 = local_10;
+                    phi_2240_ = _e1851;
+                    let _e1854 = local_11;
+                    phi_2241_ = _e1854;
                 }
-                let _e1650 = phi_2244_;
-                let _e1652 = phi_2245_;
+                let _e1646 = phi_2240_;
+                let _e1648 = phi_2241_;
+                if _e1646 {
+                    phi_2245_ = true;
+                } else {
+                    phi_2245_ = _e1648;
+                }
+                let _e1650 = phi_2245_;
                 if _e1650 {
                     phi_2249_ = true;
                 } else {
-                    phi_2249_ = _e1652;
+                    phi_2249_ = false;
                 }
-                let _e1654 = phi_2249_;
-                if _e1654 {
-                    phi_2253_ = true;
-                } else {
-                    phi_2253_ = false;
-                }
-                let _e1656 = phi_2253_;
-                phi_2254_ = _e1656;
+                let _e1652 = phi_2249_;
+                phi_2250_ = _e1652;
             }
-            let _e1658 = phi_2254_;
-            phi_2255_ = _e1658;
-            phi_2256_ = _e208;
+            let _e1654 = phi_2250_;
+            phi_2251_ = _e1654;
+            phi_2252_ = _e208;
         } else {
-            phi_2255_ = bool();
-            phi_2256_ = true;
+            phi_2251_ = bool();
+            phi_2252_ = true;
         }
-        let _e1660 = phi_2255_;
-        let _e1662 = phi_2256_;
-        if _e1662 {
-            phi_2260_ = false;
+        let _e1656 = phi_2251_;
+        let _e1658 = phi_2252_;
+        if _e1658 {
+            phi_2256_ = false;
         } else {
-            phi_2260_ = _e1660;
+            phi_2256_ = _e1656;
         }
-        let _e1664 = phi_2260_;
-        if _e1664 {
-            phi_2264_ = 0f;
+        let _e1660 = phi_2256_;
+        if _e1660 {
+            phi_2260_ = 0f;
         } else {
-            phi_2264_ = 1f;
+            phi_2260_ = 1f;
         }
-        let _e1666 = phi_2264_;
+        let _e1662 = phi_2260_;
         if (_e106 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e106)] = _e1666;
+        visibility.member[(0u + _e106)] = _e1662;
     }
     return;
 }

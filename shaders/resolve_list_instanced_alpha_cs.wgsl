@@ -781,9 +781,13 @@ fn function_() {
     var phi_2822_: bool;
     var phi_2826_: bool;
     var phi_2830_: lt_bvh_triangle_Intersection;
-    var phi_3048_: f32;
-    var phi_3051_: bool;
+    var phi_3044_: f32;
+    var phi_3047_: bool;
+    var phi_3048_: bool;
     var phi_3052_: bool;
+    var phi_3053_: bool;
+    var phi_3054_: bool;
+    var phi_3055_: bool;
     var phi_3056_: bool;
     var phi_3057_: bool;
     var phi_3058_: bool;
@@ -792,59 +796,55 @@ fn function_() {
     var phi_3061_: bool;
     var phi_3062_: bool;
     var phi_3063_: bool;
-    var phi_3064_: bool;
-    var phi_3065_: bool;
-    var phi_3066_: bool;
     var phi_3067_: bool;
-    var phi_3071_: bool;
-    var phi_3072_: bool;
+    var phi_3068_: bool;
     var phi_2359_: u32;
-    var phi_3073_: bool;
-    var phi_3074_: bool;
-    var phi_3075_: bool;
+    var phi_3069_: bool;
+    var phi_3070_: bool;
+    var phi_3071_: bool;
     var local_9: bool;
-    var phi_3117_: bool;
-    var phi_3118_: bool;
-    var phi_3149_: u32;
-    var phi_3150_: u32;
+    var phi_3113_: bool;
+    var phi_3114_: bool;
+    var phi_3145_: u32;
+    var phi_3146_: u32;
+    var phi_3147_: bool;
+    var phi_3148_: bool;
+    var phi_2029_: u32;
+    var phi_3149_: bool;
+    var phi_3150_: bool;
     var phi_3151_: bool;
     var phi_3152_: bool;
-    var phi_2029_: u32;
-    var phi_3153_: bool;
-    var phi_3154_: bool;
-    var phi_3155_: bool;
-    var phi_3156_: bool;
     var local_10: bool;
-    var phi_3160_: bool;
+    var phi_3156_: bool;
+    var phi_3157_: bool;
     var phi_3161_: bool;
     var phi_3165_: bool;
-    var phi_3169_: bool;
-    var phi_3170_: bool;
-    var phi_3171_: bool;
+    var phi_3166_: bool;
+    var phi_3167_: bool;
+    var phi_3168_: bool;
     var phi_3172_: bool;
     var phi_3176_: bool;
-    var phi_3180_: bool;
-    var phi_3181_: bool;
-    var phi_3182_: bool;
-    var phi_3183_: bool;
+    var phi_3177_: bool;
+    var phi_3178_: bool;
+    var phi_3179_: bool;
     var phi_1423_: u32;
-    var phi_3187_: bool;
+    var phi_3183_: bool;
     var local_11: bool;
-    var phi_3229_: bool;
-    var phi_3230_: bool;
-    var phi_3261_: u32;
-    var phi_3262_: u32;
+    var phi_3225_: bool;
+    var phi_3226_: bool;
+    var phi_3257_: u32;
+    var phi_3258_: u32;
     var phi_1093_: u32;
-    var phi_3263_: bool;
-    var phi_3264_: bool;
+    var phi_3259_: bool;
+    var phi_3260_: bool;
     var local_12: bool;
+    var phi_3264_: bool;
     var phi_3268_: bool;
-    var phi_3272_: bool;
-    var phi_3273_: bool;
-    var phi_3274_: bool;
+    var phi_3269_: bool;
+    var phi_3270_: bool;
+    var phi_3271_: bool;
     var phi_3275_: bool;
-    var phi_3279_: bool;
-    var phi_3283_: f32;
+    var phi_3279_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -1002,7 +1002,7 @@ fn function_() {
         if _e212 {
             let _e213 = (_e112 >= _e76);
             if _e213 {
-                phi_3273_ = bool();
+                phi_3269_ = bool();
             } else {
                 if (_e112 < _e76) {
                 } else {
@@ -1350,7 +1350,7 @@ fn function_() {
                             local_18 = _e932;
                             if _e932 {
                                 phi_1423_ = u32();
-                                phi_3187_ = false;
+                                phi_3183_ = false;
                             } else {
                                 let _e935 = nodes.member[(0u + _e495)].links[1u];
                                 let _e939 = (_e935 + select(firstTrailingBit(_e931), 32u, (_e931 == 0u)));
@@ -1532,7 +1532,7 @@ fn function_() {
                                             if _e1143 {
                                                 let _e1144 = (_e1080 >= _e76);
                                                 if _e1144 {
-                                                    phi_3170_ = bool();
+                                                    phi_3166_ = bool();
                                                 } else {
                                                     if (_e1080 < _e76) {
                                                     } else {
@@ -1922,9 +1922,9 @@ fn function_() {
                                                                 local_15 = _e1893;
                                                                 if _e1893 {
                                                                     phi_2359_ = u32();
-                                                                    phi_3073_ = false;
-                                                                    phi_3074_ = false;
-                                                                    phi_3075_ = false;
+                                                                    phi_3069_ = false;
+                                                                    phi_3070_ = false;
+                                                                    phi_3071_ = false;
                                                                 } else {
                                                                     let _e1896 = nodes.member[(0u + _e1456)].links[1u];
                                                                     let _e1901 = ((_e1082 + _e1896) + select(firstTrailingBit(_e1892), 32u, (_e1892 == 0u)));
@@ -2366,8 +2366,8 @@ fn function_() {
                                                                                 let _e2271 = triangles.member[(0u + _e1901)].i0_;
                                                                                 let _e2273 = ((_e2271 & 2147483648u) == 0u);
                                                                                 if _e2273 {
-                                                                                    phi_3057_ = false;
-                                                                                    phi_3058_ = false;
+                                                                                    phi_3053_ = false;
+                                                                                    phi_3054_ = false;
                                                                                 } else {
                                                                                     if (_e1901 < _e79) {
                                                                                     } else {
@@ -2401,389 +2401,389 @@ fn function_() {
                                                                                     if ((_e2304.flags & 1u) == 1u) {
                                                                                         let _e2309 = ((1f - _e2264.u) - _e2264.v);
                                                                                         if (_e2304.cutoff <= 0f) {
-                                                                                            phi_3051_ = true;
+                                                                                            phi_3047_ = true;
                                                                                         } else {
-                                                                                            let _e2340 = (_e2304.base_color.w * ((((f32((_e2298[0].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2309) + ((f32((_e2298[1].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2264.u)) + ((f32((_e2298[2].color >> bitcast<u32>(24i))) * (1f / 255f)) * _e2264.v)));
+                                                                                            let _e2336 = (_e2304.base_color.w * ((((f32((_e2298[0].color >> bitcast<u32>(24i))) * _e2309) + (f32((_e2298[1].color >> bitcast<u32>(24i))) * _e2264.u)) + (f32((_e2298[2].color >> bitcast<u32>(24i))) * _e2264.v)) * (1f / 255f)));
                                                                                             if (_e2304.alpha_size == 0u) {
-                                                                                                phi_3048_ = _e2340;
+                                                                                                phi_3044_ = _e2336;
                                                                                             } else {
                                                                                                 local.offset = _e2304.alpha_offset;
                                                                                                 local.size = _e2304.alpha_size;
                                                                                                 local.flags = _e2304.flags;
-                                                                                                let _e2371 = _lt_shaders_texture_TextureView_quad((&local), (((_e2298[0].u * _e2309) + (_e2298[1].u * _e2264.u)) + (_e2298[2].u * _e2264.v)), (((_e2298[0].v * _e2309) + (_e2298[1].v * _e2264.u)) + (_e2298[2].v * _e2264.v)));
-                                                                                                let _e2375 = (_e2371.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2375 < _e97) {
+                                                                                                let _e2367 = _lt_shaders_texture_TextureView_quad((&local), (((_e2298[0].u * _e2309) + (_e2298[1].u * _e2264.u)) + (_e2298[2].u * _e2264.v)), (((_e2298[0].v * _e2309) + (_e2298[1].v * _e2264.u)) + (_e2298[2].v * _e2264.v)));
+                                                                                                let _e2371 = (_e2367.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2371 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2379 = alpha_texels.member[(0u + _e2375)];
-                                                                                                let _e2395 = (_e2371.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2395 < _e97) {
+                                                                                                let _e2375 = alpha_texels.member[(0u + _e2371)];
+                                                                                                let _e2391 = (_e2367.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2391 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2399 = alpha_texels.member[(0u + _e2395)];
-                                                                                                let _e2416 = (_e2371.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2416 < _e97) {
+                                                                                                let _e2395 = alpha_texels.member[(0u + _e2391)];
+                                                                                                let _e2412 = (_e2367.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2412 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2420 = alpha_texels.member[(0u + _e2416)];
-                                                                                                let _e2437 = (_e2371.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2437 < _e97) {
+                                                                                                let _e2416 = alpha_texels.member[(0u + _e2412)];
+                                                                                                let _e2433 = (_e2367.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2433 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2441 = alpha_texels.member[(0u + _e2437)];
-                                                                                                phi_3048_ = (_e2340 * (((((f32(((_e2379 >> bitcast<u32>((((_e2371.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.x) + ((f32(((_e2399 >> bitcast<u32>((((_e2371.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.y)) + ((f32(((_e2420 >> bitcast<u32>((((_e2371.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.z)) + ((f32(((_e2441 >> bitcast<u32>((((_e2371.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.w)));
+                                                                                                let _e2437 = alpha_texels.member[(0u + _e2433)];
+                                                                                                phi_3044_ = (_e2336 * (((((f32(((_e2375 >> bitcast<u32>((((_e2367.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2367.weights.x) + ((f32(((_e2395 >> bitcast<u32>((((_e2367.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2367.weights.y)) + ((f32(((_e2416 >> bitcast<u32>((((_e2367.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2367.weights.z)) + ((f32(((_e2437 >> bitcast<u32>((((_e2367.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2367.weights.w)));
                                                                                             }
-                                                                                            let _e2457 = phi_3048_;
-                                                                                            phi_3051_ = (_e2457 >= _e2304.cutoff);
+                                                                                            let _e2453 = phi_3044_;
+                                                                                            phi_3047_ = (_e2453 >= _e2304.cutoff);
                                                                                         }
-                                                                                        let _e2461 = phi_3051_;
-                                                                                        phi_3052_ = _e2461;
+                                                                                        let _e2457 = phi_3047_;
+                                                                                        phi_3048_ = _e2457;
                                                                                     } else {
+                                                                                        phi_3048_ = false;
+                                                                                    }
+                                                                                    let _e2459 = phi_3048_;
+                                                                                    if _e2459 {
                                                                                         phi_3052_ = false;
-                                                                                    }
-                                                                                    let _e2463 = phi_3052_;
-                                                                                    if _e2463 {
-                                                                                        phi_3056_ = false;
                                                                                     } else {
-                                                                                        phi_3056_ = true;
+                                                                                        phi_3052_ = true;
                                                                                     }
-                                                                                    let _e2465 = phi_3056_;
-                                                                                    phi_3057_ = _e2465;
-                                                                                    phi_3058_ = _e2463;
+                                                                                    let _e2461 = phi_3052_;
+                                                                                    phi_3053_ = _e2461;
+                                                                                    phi_3054_ = _e2459;
                                                                                 }
-                                                                                let _e2467 = phi_3057_;
-                                                                                let _e2469 = phi_3058_;
-                                                                                phi_3059_ = _e2467;
-                                                                                phi_3060_ = _e2273;
-                                                                                phi_3061_ = _e2469;
+                                                                                let _e2463 = phi_3053_;
+                                                                                let _e2465 = phi_3054_;
+                                                                                phi_3055_ = _e2463;
+                                                                                phi_3056_ = _e2273;
+                                                                                phi_3057_ = _e2465;
                                                                             } else {
-                                                                                phi_3059_ = true;
-                                                                                phi_3060_ = false;
-                                                                                phi_3061_ = false;
+                                                                                phi_3055_ = true;
+                                                                                phi_3056_ = false;
+                                                                                phi_3057_ = false;
                                                                             }
-                                                                            let _e2471 = phi_3059_;
-                                                                            let _e2473 = phi_3060_;
-                                                                            let _e2475 = phi_3061_;
-                                                                            phi_3062_ = _e2471;
-                                                                            phi_3063_ = _e2473;
-                                                                            phi_3064_ = _e2475;
+                                                                            let _e2467 = phi_3055_;
+                                                                            let _e2469 = phi_3056_;
+                                                                            let _e2471 = phi_3057_;
+                                                                            phi_3058_ = _e2467;
+                                                                            phi_3059_ = _e2469;
+                                                                            phi_3060_ = _e2471;
                                                                         } else {
-                                                                            phi_3062_ = true;
-                                                                            phi_3063_ = false;
-                                                                            phi_3064_ = false;
+                                                                            phi_3058_ = true;
+                                                                            phi_3059_ = false;
+                                                                            phi_3060_ = false;
                                                                         }
-                                                                        let _e2477 = phi_3062_;
-                                                                        let _e2479 = phi_3063_;
-                                                                        let _e2481 = phi_3064_;
-                                                                        phi_3065_ = _e2477;
-                                                                        phi_3066_ = _e2479;
-                                                                        phi_3067_ = _e2481;
+                                                                        let _e2473 = phi_3058_;
+                                                                        let _e2475 = phi_3059_;
+                                                                        let _e2477 = phi_3060_;
+                                                                        phi_3061_ = _e2473;
+                                                                        phi_3062_ = _e2475;
+                                                                        phi_3063_ = _e2477;
                                                                     } else {
-                                                                        phi_3065_ = true;
-                                                                        phi_3066_ = false;
+                                                                        phi_3061_ = true;
+                                                                        phi_3062_ = false;
+                                                                        phi_3063_ = false;
+                                                                    }
+                                                                    let _e2479 = phi_3061_;
+                                                                    let _e2481 = phi_3062_;
+                                                                    let _e2483 = phi_3063_;
+                                                                    if _e2479 {
                                                                         phi_3067_ = false;
-                                                                    }
-                                                                    let _e2483 = phi_3065_;
-                                                                    let _e2485 = phi_3066_;
-                                                                    let _e2487 = phi_3067_;
-                                                                    if _e2483 {
-                                                                        phi_3071_ = false;
-                                                                        phi_3072_ = false;
+                                                                        phi_3068_ = false;
                                                                     } else {
-                                                                        phi_3071_ = _e2485;
-                                                                        phi_3072_ = _e2487;
+                                                                        phi_3067_ = _e2481;
+                                                                        phi_3068_ = _e2483;
                                                                     }
-                                                                    let _e2489 = phi_3071_;
-                                                                    let _e2491 = phi_3072_;
+                                                                    let _e2485 = phi_3067_;
+                                                                    let _e2487 = phi_3068_;
                                                                     phi_2359_ = (_e1892 & (_e1892 - 1u));
-                                                                    phi_3073_ = _e2483;
-                                                                    phi_3074_ = _e2489;
-                                                                    phi_3075_ = _e2491;
+                                                                    phi_3069_ = _e2479;
+                                                                    phi_3070_ = _e2485;
+                                                                    phi_3071_ = _e2487;
                                                                 }
-                                                                let _e2493 = phi_2359_;
-                                                                let _e2495 = phi_3073_;
-                                                                let _e2497 = phi_3074_;
-                                                                let _e2499 = phi_3075_;
-                                                                local_13 = _e2497;
-                                                                local_14 = _e2499;
+                                                                let _e2489 = phi_2359_;
+                                                                let _e2491 = phi_3069_;
+                                                                let _e2493 = phi_3070_;
+                                                                let _e2495 = phi_3071_;
+                                                                local_13 = _e2493;
+                                                                local_14 = _e2495;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2358_ = _e2493;
-                                                                    break if !(_e2495);
+                                                                    phi_2358_ = _e2489;
+                                                                    break if !(_e2491);
                                                                 }
                                                             }
-                                                            let _e2502 = local_9;
-                                                            if _e2502 {
-                                                                let _e2504 = local_1.group_mask;
-                                                                if ((_e2504 & 4278190080u) == 0u) {
-                                                                    let _e2508 = local_1.len;
-                                                                    if (_e2508 == 0u) {
-                                                                        phi_3117_ = false;
+                                                            let _e2498 = local_9;
+                                                            if _e2498 {
+                                                                let _e2500 = local_1.group_mask;
+                                                                if ((_e2500 & 4278190080u) == 0u) {
+                                                                    let _e2504 = local_1.len;
+                                                                    if (_e2504 == 0u) {
+                                                                        phi_3113_ = false;
                                                                     } else {
-                                                                        let _e2512 = local_1.len;
-                                                                        local_1.len = (_e2512 - 1u);
-                                                                        let _e2515 = local_1.len;
-                                                                        if (_e2515 < 32u) {
+                                                                        let _e2508 = local_1.len;
+                                                                        local_1.len = (_e2508 - 1u);
+                                                                        let _e2511 = local_1.len;
+                                                                        if (_e2511 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2520 = local_1.first[(0u + _e2515)];
-                                                                        local_1.group = _e2520;
-                                                                        let _e2523 = local_1.len;
-                                                                        if (_e2523 < 32u) {
+                                                                        let _e2516 = local_1.first[(0u + _e2511)];
+                                                                        local_1.group = _e2516;
+                                                                        let _e2519 = local_1.len;
+                                                                        if (_e2519 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2528 = local_1.mask[(0u + _e2523)];
-                                                                        local_1.group_mask = _e2528;
-                                                                        phi_3117_ = true;
+                                                                        let _e2524 = local_1.mask[(0u + _e2519)];
+                                                                        local_1.group_mask = _e2524;
+                                                                        phi_3113_ = true;
                                                                     }
-                                                                    let _e2531 = phi_3117_;
-                                                                    phi_3118_ = _e2531;
+                                                                    let _e2527 = phi_3113_;
+                                                                    phi_3114_ = _e2527;
                                                                 } else {
-                                                                    phi_3118_ = true;
+                                                                    phi_3114_ = true;
                                                                 }
-                                                                let _e2533 = phi_3118_;
-                                                                if _e2533 {
-                                                                    let _e2535 = local_1.group_mask;
-                                                                    let _e2541 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2535)), 32u, (_e2535 == 0u)));
-                                                                    let _e2545 = local_1.group_mask;
-                                                                    let _e2559 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2559 & ~((1u << bitcast<u32>((_e2541 & 31u)))));
-                                                                    let _e2562 = local_1.group;
-                                                                    phi_3149_ = (_e2562 + countOneBits(((_e2545 & ~((4294967295u << bitcast<u32>((((_e2541 - 24u) ^ _e1318) & 31u))))) & 255u)));
+                                                                let _e2529 = phi_3114_;
+                                                                if _e2529 {
+                                                                    let _e2531 = local_1.group_mask;
+                                                                    let _e2537 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2531)), 32u, (_e2531 == 0u)));
+                                                                    let _e2541 = local_1.group_mask;
+                                                                    let _e2555 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2555 & ~((1u << bitcast<u32>((_e2537 & 31u)))));
+                                                                    let _e2558 = local_1.group;
+                                                                    phi_3145_ = (_e2558 + countOneBits(((_e2541 & ~((4294967295u << bitcast<u32>((((_e2537 - 24u) ^ _e1318) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3149_ = 4294967295u;
+                                                                    phi_3145_ = 4294967295u;
                                                                 }
-                                                                let _e2565 = phi_3149_;
-                                                                phi_3150_ = _e2565;
-                                                                phi_3151_ = false;
-                                                                phi_3152_ = false;
+                                                                let _e2561 = phi_3145_;
+                                                                phi_3146_ = _e2561;
+                                                                phi_3147_ = false;
+                                                                phi_3148_ = false;
                                                             } else {
-                                                                phi_3150_ = u32();
-                                                                let _e2945 = local_13;
-                                                                phi_3151_ = _e2945;
-                                                                let _e2948 = local_14;
-                                                                phi_3152_ = _e2948;
+                                                                phi_3146_ = u32();
+                                                                let _e2941 = local_13;
+                                                                phi_3147_ = _e2941;
+                                                                let _e2944 = local_14;
+                                                                phi_3148_ = _e2944;
                                                             }
-                                                            let _e2567 = phi_3150_;
-                                                            let _e2569 = phi_3151_;
-                                                            let _e2571 = phi_3152_;
-                                                            phi_2029_ = _e2567;
-                                                            let _e2952 = local_15;
-                                                            phi_3153_ = _e2952;
-                                                            phi_3154_ = false;
-                                                            phi_3155_ = _e2569;
-                                                            phi_3156_ = _e2571;
+                                                            let _e2563 = phi_3146_;
+                                                            let _e2565 = phi_3147_;
+                                                            let _e2567 = phi_3148_;
+                                                            phi_2029_ = _e2563;
+                                                            let _e2948 = local_15;
+                                                            phi_3149_ = _e2948;
+                                                            phi_3150_ = false;
+                                                            phi_3151_ = _e2565;
+                                                            phi_3152_ = _e2567;
                                                         } else {
                                                             phi_2029_ = u32();
-                                                            phi_3153_ = false;
-                                                            phi_3154_ = true;
-                                                            phi_3155_ = false;
-                                                            phi_3156_ = false;
+                                                            phi_3149_ = false;
+                                                            phi_3150_ = true;
+                                                            phi_3151_ = false;
+                                                            phi_3152_ = false;
                                                         }
-                                                        let _e2573 = phi_2029_;
-                                                        let _e2575 = phi_3153_;
-                                                        let _e2577 = phi_3154_;
-                                                        let _e2579 = phi_3155_;
-                                                        let _e2581 = phi_3156_;
-                                                        local_10 = _e2577;
-                                                        local_16 = _e2579;
-                                                        local_17 = _e2581;
+                                                        let _e2569 = phi_2029_;
+                                                        let _e2571 = phi_3149_;
+                                                        let _e2573 = phi_3150_;
+                                                        let _e2575 = phi_3151_;
+                                                        let _e2577 = phi_3152_;
+                                                        local_10 = _e2573;
+                                                        local_16 = _e2575;
+                                                        local_17 = _e2577;
                                                         continue;
                                                         continuing {
-                                                            phi_2028_ = _e2573;
-                                                            break if !(_e2575);
+                                                            phi_2028_ = _e2569;
+                                                            break if !(_e2571);
                                                         }
                                                     }
-                                                    let _e2584 = local_10;
-                                                    if _e2584 {
-                                                        phi_3160_ = false;
-                                                        phi_3161_ = false;
+                                                    let _e2580 = local_10;
+                                                    if _e2580 {
+                                                        phi_3156_ = false;
+                                                        phi_3157_ = false;
                                                     } else {
-                                                        let _e2959 = local_16;
-                                                        phi_3160_ = _e2959;
-                                                        let _e2962 = local_17;
-                                                        phi_3161_ = _e2962;
+                                                        let _e2955 = local_16;
+                                                        phi_3156_ = _e2955;
+                                                        let _e2958 = local_17;
+                                                        phi_3157_ = _e2958;
                                                     }
-                                                    let _e2586 = phi_3160_;
-                                                    let _e2588 = phi_3161_;
+                                                    let _e2582 = phi_3156_;
+                                                    let _e2584 = phi_3157_;
+                                                    if _e2582 {
+                                                        phi_3161_ = true;
+                                                    } else {
+                                                        phi_3161_ = _e2584;
+                                                    }
+                                                    let _e2586 = phi_3161_;
                                                     if _e2586 {
                                                         phi_3165_ = true;
                                                     } else {
-                                                        phi_3165_ = _e2588;
+                                                        phi_3165_ = false;
                                                     }
-                                                    let _e2590 = phi_3165_;
-                                                    if _e2590 {
-                                                        phi_3169_ = true;
-                                                    } else {
-                                                        phi_3169_ = false;
-                                                    }
-                                                    let _e2592 = phi_3169_;
-                                                    phi_3170_ = _e2592;
+                                                    let _e2588 = phi_3165_;
+                                                    phi_3166_ = _e2588;
                                                 }
-                                                let _e2594 = phi_3170_;
-                                                phi_3171_ = _e2594;
-                                                phi_3172_ = _e1144;
+                                                let _e2590 = phi_3166_;
+                                                phi_3167_ = _e2590;
+                                                phi_3168_ = _e1144;
                                             } else {
-                                                phi_3171_ = bool();
-                                                phi_3172_ = true;
+                                                phi_3167_ = bool();
+                                                phi_3168_ = true;
                                             }
-                                            let _e2596 = phi_3171_;
-                                            let _e2598 = phi_3172_;
-                                            if _e2598 {
+                                            let _e2592 = phi_3167_;
+                                            let _e2594 = phi_3168_;
+                                            if _e2594 {
+                                                phi_3172_ = false;
+                                            } else {
+                                                phi_3172_ = _e2592;
+                                            }
+                                            let _e2596 = phi_3172_;
+                                            if _e2596 {
                                                 phi_3176_ = false;
                                             } else {
-                                                phi_3176_ = _e2596;
+                                                phi_3176_ = true;
                                             }
-                                            let _e2600 = phi_3176_;
-                                            if _e2600 {
-                                                phi_3180_ = false;
-                                            } else {
-                                                phi_3180_ = true;
-                                            }
-                                            let _e2602 = phi_3180_;
-                                            phi_3181_ = _e2602;
+                                            let _e2598 = phi_3176_;
+                                            phi_3177_ = _e2598;
                                         } else {
-                                            phi_3181_ = true;
+                                            phi_3177_ = true;
                                         }
-                                        let _e2604 = phi_3181_;
-                                        phi_3182_ = _e2604;
+                                        let _e2600 = phi_3177_;
+                                        phi_3178_ = _e2600;
                                     } else {
-                                        phi_3182_ = true;
+                                        phi_3178_ = true;
                                     }
-                                    let _e2606 = phi_3182_;
-                                    phi_3183_ = _e2606;
+                                    let _e2602 = phi_3178_;
+                                    phi_3179_ = _e2602;
                                 } else {
-                                    phi_3183_ = true;
+                                    phi_3179_ = true;
                                 }
-                                let _e2608 = phi_3183_;
-                                if _e2608 {
+                                let _e2604 = phi_3179_;
+                                if _e2604 {
                                 }
                                 phi_1423_ = (_e931 & (_e931 - 1u));
-                                phi_3187_ = _e2608;
+                                phi_3183_ = _e2604;
                             }
-                            let _e2610 = phi_1423_;
-                            let _e2612 = phi_3187_;
+                            let _e2606 = phi_1423_;
+                            let _e2608 = phi_3183_;
                             continue;
                             continuing {
-                                phi_1422_ = _e2610;
-                                break if !(_e2612);
+                                phi_1422_ = _e2606;
+                                break if !(_e2608);
                             }
                         }
-                        let _e2615 = local_11;
-                        if _e2615 {
-                            let _e2617 = local_2.group_mask;
-                            if ((_e2617 & 4278190080u) == 0u) {
-                                let _e2621 = local_2.len;
-                                if (_e2621 == 0u) {
-                                    phi_3229_ = false;
+                        let _e2611 = local_11;
+                        if _e2611 {
+                            let _e2613 = local_2.group_mask;
+                            if ((_e2613 & 4278190080u) == 0u) {
+                                let _e2617 = local_2.len;
+                                if (_e2617 == 0u) {
+                                    phi_3225_ = false;
                                 } else {
-                                    let _e2625 = local_2.len;
-                                    local_2.len = (_e2625 - 1u);
-                                    let _e2628 = local_2.len;
-                                    if (_e2628 < 32u) {
+                                    let _e2621 = local_2.len;
+                                    local_2.len = (_e2621 - 1u);
+                                    let _e2624 = local_2.len;
+                                    if (_e2624 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2633 = local_2.first[(0u + _e2628)];
-                                    local_2.group = _e2633;
-                                    let _e2636 = local_2.len;
-                                    if (_e2636 < 32u) {
+                                    let _e2629 = local_2.first[(0u + _e2624)];
+                                    local_2.group = _e2629;
+                                    let _e2632 = local_2.len;
+                                    if (_e2632 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2641 = local_2.mask[(0u + _e2636)];
-                                    local_2.group_mask = _e2641;
-                                    phi_3229_ = true;
+                                    let _e2637 = local_2.mask[(0u + _e2632)];
+                                    local_2.group_mask = _e2637;
+                                    phi_3225_ = true;
                                 }
-                                let _e2644 = phi_3229_;
-                                phi_3230_ = _e2644;
+                                let _e2640 = phi_3225_;
+                                phi_3226_ = _e2640;
                             } else {
-                                phi_3230_ = true;
+                                phi_3226_ = true;
                             }
-                            let _e2646 = phi_3230_;
-                            if _e2646 {
-                                let _e2648 = local_2.group_mask;
-                                let _e2654 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2648)), 32u, (_e2648 == 0u)));
-                                let _e2658 = local_2.group_mask;
-                                let _e2672 = local_2.group_mask;
-                                local_2.group_mask = (_e2672 & ~((1u << bitcast<u32>((_e2654 & 31u)))));
-                                let _e2675 = local_2.group;
-                                phi_3261_ = (_e2675 + countOneBits(((_e2658 & ~((4294967295u << bitcast<u32>((((_e2654 - 24u) ^ _e357) & 31u))))) & 255u)));
+                            let _e2642 = phi_3226_;
+                            if _e2642 {
+                                let _e2644 = local_2.group_mask;
+                                let _e2650 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2644)), 32u, (_e2644 == 0u)));
+                                let _e2654 = local_2.group_mask;
+                                let _e2668 = local_2.group_mask;
+                                local_2.group_mask = (_e2668 & ~((1u << bitcast<u32>((_e2650 & 31u)))));
+                                let _e2671 = local_2.group;
+                                phi_3257_ = (_e2671 + countOneBits(((_e2654 & ~((4294967295u << bitcast<u32>((((_e2650 - 24u) ^ _e357) & 31u))))) & 255u)));
                             } else {
-                                phi_3261_ = 4294967295u;
+                                phi_3257_ = 4294967295u;
                             }
-                            let _e2678 = phi_3261_;
-                            phi_3262_ = _e2678;
+                            let _e2674 = phi_3257_;
+                            phi_3258_ = _e2674;
                         } else {
-                            phi_3262_ = u32();
+                            phi_3258_ = u32();
                         }
-                        let _e2680 = phi_3262_;
-                        phi_1093_ = _e2680;
-                        let _e2983 = local_18;
-                        phi_3263_ = _e2983;
-                        phi_3264_ = false;
+                        let _e2676 = phi_3258_;
+                        phi_1093_ = _e2676;
+                        let _e2979 = local_18;
+                        phi_3259_ = _e2979;
+                        phi_3260_ = false;
                     } else {
                         phi_1093_ = u32();
-                        phi_3263_ = false;
-                        phi_3264_ = true;
+                        phi_3259_ = false;
+                        phi_3260_ = true;
                     }
-                    let _e2682 = phi_1093_;
-                    let _e2684 = phi_3263_;
-                    let _e2686 = phi_3264_;
-                    local_12 = _e2686;
+                    let _e2678 = phi_1093_;
+                    let _e2680 = phi_3259_;
+                    let _e2682 = phi_3260_;
+                    local_12 = _e2682;
                     continue;
                     continuing {
-                        phi_1092_ = _e2682;
-                        break if !(_e2684);
+                        phi_1092_ = _e2678;
+                        break if !(_e2680);
                     }
                 }
-                let _e2689 = local_12;
-                if _e2689 {
-                    phi_3268_ = false;
+                let _e2685 = local_12;
+                if _e2685 {
+                    phi_3264_ = false;
                 } else {
+                    phi_3264_ = true;
+                }
+                let _e2687 = phi_3264_;
+                if _e2687 {
                     phi_3268_ = true;
-                }
-                let _e2691 = phi_3268_;
-                if _e2691 {
-                    phi_3272_ = true;
                 } else {
-                    phi_3272_ = false;
+                    phi_3268_ = false;
                 }
-                let _e2693 = phi_3272_;
-                phi_3273_ = _e2693;
+                let _e2689 = phi_3268_;
+                phi_3269_ = _e2689;
             }
-            let _e2695 = phi_3273_;
-            phi_3274_ = _e2695;
-            phi_3275_ = _e213;
+            let _e2691 = phi_3269_;
+            phi_3270_ = _e2691;
+            phi_3271_ = _e213;
         } else {
-            phi_3274_ = bool();
-            phi_3275_ = true;
+            phi_3270_ = bool();
+            phi_3271_ = true;
         }
-        let _e2697 = phi_3274_;
-        let _e2699 = phi_3275_;
-        if _e2699 {
-            phi_3279_ = false;
+        let _e2693 = phi_3270_;
+        let _e2695 = phi_3271_;
+        if _e2695 {
+            phi_3275_ = false;
         } else {
-            phi_3279_ = _e2697;
+            phi_3275_ = _e2693;
         }
-        let _e2701 = phi_3279_;
-        if _e2701 {
-            phi_3283_ = 0f;
+        let _e2697 = phi_3275_;
+        if _e2697 {
+            phi_3279_ = 0f;
         } else {
-            phi_3283_ = 1f;
+            phi_3279_ = 1f;
         }
-        let _e2703 = phi_3283_;
+        let _e2699 = phi_3279_;
         if (_e110 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e110)] = _e2703;
+        visibility.member[(0u + _e110)] = _e2699;
     }
     return;
 }

@@ -1,4 +1,4 @@
-//! Prints what a centred variance buys over raw moments, and how often four moments fail in f32.
+//! Prints what a centred variance buys over raw moments, and how often four filtered moments fail in f32.
 //!
 //! `cargo run -p lt-math --release --example centred_variance [FOOTPRINTS]`
 
@@ -22,7 +22,7 @@ fn main() {
         println!("| {mean} | {variance:e} | {raw:.1} % | {shifted:.1} % | {centred:.6} % |");
     }
 
-    println!("\nFour moments in f32, {count} random 2x2 footprints, bias towards 1/2\n");
+    println!("\nFour filtered moments in f32, {count} random 2x2 footprints, bias towards 1/2\n");
     println!("| kind | bias | flat, d = z: NaN | two layers: NaN | two layers: wrong | four depths: wrong |");
     println!("|---|---|---|---|---|---|");
     for moment_bias in [0.0, 3e-7, 3e-6, 3e-5, 6e-5] {
@@ -52,9 +52,9 @@ fn percent(share: f64) -> String {
 }
 
 fn print_moments<T: ShadowTest>(count: u32, kind: &str, bias: f32, test: T) {
-    let flat = shares(test, count, gathered, flat).nan;
-    let two = shares(test, count, gathered, two_layers);
-    let four = shares(test, count, gathered, four_depths).confidently_wrong;
+    let flat = shares(test, count, filtered, flat).nan;
+    let two = shares(test, count, filtered, two_layers);
+    let four = shares(test, count, filtered, four_depths).confidently_wrong;
     let [flat, nan, wrong, four] = [flat, two.nan, two.confidently_wrong, four].map(percent);
     println!("| {kind} | {bias:e} | {flat} | {nan} | {wrong} | {four} |");
 }

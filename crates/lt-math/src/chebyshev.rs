@@ -46,6 +46,13 @@ pub fn from_offsets(offsets: Vec4, weights: Vec4, min_variance: f32) -> f32 {
     upper_bound(float::max(variance, min_variance), -mean)
 }
 
+/// Whether no offset is negative, where [`from_offsets`] is 1 for every rising warp; not so for a NaN in either.
+#[inline]
+pub fn is_lit(offsets: Vec4, weights: Vec4) -> bool {
+    let is_in_front = offsets.x >= 0.0 && offsets.y >= 0.0 && offsets.z >= 0.0 && offsets.w >= 0.0;
+    is_in_front && !float::is_nan(float::dot4(offsets, weights))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -55,6 +55,20 @@ impl Evsm {
     fn negative(&self) -> f32 {
         float::min(self.negative_exponent, MAX_EVSM_EXPONENT)
     }
+
+    /// The smaller bound from depths relative to the receiver.
+    fn bound_of_offsets(&self, offsets: Vec4, weights: Vec4) -> f32 {
+        let c = self.positive();
+        let positive =
+            chebyshev::from_offsets(float::exp4(c * offsets) - Vec4::ONE, weights, self.min_variance * c * c);
+        let c = self.negative();
+        let negative = chebyshev::from_offsets(
+            Vec4::ONE - float::exp4(-c * offsets),
+            weights,
+            self.min_variance * c * c,
+        );
+        float::saturate(float::min(positive, negative))
+    }
 }
 
 impl ShadowTest for Evsm {
@@ -79,12 +93,27 @@ impl ShadowTest for Evsm {
     fn visibility_of_gather(&self, depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
         let d = float::saturate(receiver_depth);
         let offsets = float::saturate4(depths) - Vec4::splat(d);
-        let c = self.positive();
-        let positive =
-            chebyshev::from_offsets(float::exp4(c * offsets) - Vec4::ONE, weights, self.min_variance * c * c);
-        let c = self.negative();
-        let negative =
-            chebyshev::from_offsets(Vec4::ONE - float::exp4(-c * offsets), weights, self.min_variance * c * c);
-        float::saturate(float::min(positive, negative))
+        if chebyshev::is_lit(offsets, weights) { 1.0 } else { self.bound_of_offsets(offsets, weights) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_footprint_behind_the_receiver_gets_what_the_full_formula_says() {
+        let evsm = Evsm::default();
+        for i in 0..4096u32 {
+            let lane = |k: u32| (i.wrapping_mul(2_654_435_761 + 97 * k) >> 8) as f32 / 16_777_216.0;
+            let scale = [1.0, 1e-3, 1e-7, 0.0][(i % 4) as usize];
+            let offsets = scale * Vec4::new(lane(1), lane(2), lane(3), lane(4));
+            let (fx, fy) = (lane(5), lane(6));
+            let weights = Vec4::new((1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy);
+            assert!(chebyshev::is_lit(offsets, weights));
+            assert_eq!(evsm.bound_of_offsets(offsets, weights), 1.0, "{offsets} {weights}");
+            assert!(!chebyshev::is_lit(offsets, weights * f32::NAN));
+            assert!(!chebyshev::is_lit(offsets * f32::NAN, weights));
+        }
     }
 }

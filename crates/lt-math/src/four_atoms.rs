@@ -15,6 +15,13 @@ use glam::Vec4;
 /// light keeps the bound an upper one; it takes the place of the moment bias of filtered maps.
 pub const RECEIVER_ROUNDING: f32 = 4.768_371_6e-7;
 
+/// What the bound does not fall below while the receiver is not behind the footprint's mean.
+///
+/// A sloped plane's own footprint has its mean at the receiver. Near a texel's centre that texel has nearly all the
+/// weight and may lie just in front: the exact bound would then be sure of a shadow that is not there. Above LTT's ε, so
+/// that a ray decides.
+pub const OWN_SURFACE: f32 = 0.05;
+
 /// Offsets are scaled as if the largest were at least this, 2⁻²⁰, lest sixth powers overflow.
 const LEAST_SCALE: f32 = 9.536_743e-7;
 
@@ -32,7 +39,10 @@ const LEAST_END_DISTANCE: f32 = 1.0e-4;
 #[inline]
 pub fn hamburger_upper_bound(depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
     let atoms = Atoms::new(depths, weights, receiver_depth);
-    if atoms.is_decided { atoms.decision } else { float::saturate(atoms.line_bound(atoms.inverse_nodes())) }
+    if atoms.is_decided {
+        return atoms.believable(atoms.decision);
+    }
+    atoms.believable(float::saturate(atoms.line_bound(atoms.inverse_nodes())))
 }
 
 /// Hausdorff bound on P(z ≥ d) from depths in [0, 1] and their weights; NaN only for NaN.
@@ -40,14 +50,14 @@ pub fn hamburger_upper_bound(depths: Vec4, weights: Vec4, receiver_depth: f32) -
 pub fn hausdorff_upper_bound(depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
     let atoms = Atoms::new(depths, weights, receiver_depth);
     if atoms.is_decided {
-        return atoms.decision;
+        return atoms.believable(atoms.decision);
     }
     let nodes = atoms.inverse_nodes();
     let line = atoms.line_bound(nodes);
     let is_free = atoms.is_in_interval(nodes.near) && atoms.is_in_interval(nodes.far);
     let is_at_end = -atoms.near_end < LEAST_END_DISTANCE || atoms.far_end < LEAST_END_DISTANCE;
     let bound = if is_free || is_at_end { line } else { float::min(atoms.interval_bound(), line) };
-    float::saturate(bound)
+    atoms.believable(float::saturate(bound))
 }
 
 /// A distribution on four depths x, seen from a receiver at 0, with what all bounds need of it.
@@ -69,6 +79,8 @@ struct Atoms {
     /// Whether no system need be solved, and the answer then.
     is_decided: bool,
     decision: f32,
+    /// Whether the receiver is not behind the mean, and so may be what the footprint shows.
+    may_be_own_surface: bool,
 }
 
 /// 1/x of the two other depths of the extreme case, ascending; 0 stands for infinity, where no mass is.
@@ -105,10 +117,10 @@ impl Atoms {
         let farthest = float::max(float::max(o.x, o.y), float::max(o.z, o.w));
         let mean = float::dot4(offsets, weights);
 
-        // A power of two scales without rounding: the exponent's bits of the largest offset.
+        // A power of two scales without rounding: the exponent's bits of the largest offset. (Those of a NaN wrap.)
         let largest = float::max(float::max(-nearest, farthest), LEAST_SCALE);
         let exponent = largest.to_bits() & 0x7f80_0000;
-        let scale = f32::from_bits((254 << 23) - exponent);
+        let scale = f32::from_bits((254u32 << 23).wrapping_sub(exponent));
         let x = offsets * scale;
 
         let difference = x - rotate(x);
@@ -141,7 +153,14 @@ impl Atoms {
             c2,
             is_decided: is_nan || is_lit || c0 < SINGULAR,
             decision,
+            may_be_own_surface: mean >= 0.0,
         }
+    }
+
+    /// The bound, but not sure of a shadow where the footprint may show the receiver itself; see [`OWN_SURFACE`].
+    #[inline]
+    fn believable(&self, bound: f32) -> f32 {
+        if self.may_be_own_surface && bound < OWN_SURFACE { OWN_SURFACE } else { bound }
     }
 
     /// Roots of c₀y² + c₁y + c₂. The larger comes first, the other from their product, so that neither cancels.

@@ -20,7 +20,8 @@
 //! | [`MsmHausdorff`] | z, z², z³, z⁴ | [`hausdorff`] |
 //!
 //! All implement [`ShadowTest`], which asks them in two ways: from filtered vectors, and from the four plain depths of a
-//! 2×2 gather. The second needs no special map, and VSM and EVSM compute their variance without cancellation there.
+//! 2×2 gather. The second needs no special map, and nothing cancels there: VSM and EVSM compute their variance, MSM its
+//! determinants ([`four_atoms`]), from differences of depths.
 //!
 //! # Conventions
 //!
@@ -28,7 +29,7 @@
 //! - uv: [0, 1]² with v downwards; texel centres at + 0.5; footprints in the order (x0 y0, x1 y0, x0 y1, x1 y1).
 //! - World positions are f32, relative to an origin near the viewer ([`LightProjection`]).
 //! - NaN: goes in, comes out, and becomes a ray. Nothing hides one in a `min`, `max` or `clamp`; unsolvable moments
-//!   answer NaN on purpose. Tests for NaN look at bits, because shader compilers may assume that NaNs do not exist.
+//!   (of filtered maps) answer NaN on purpose. Tests for NaN look at bits, because shader compilers may assume that NaNs do not exist.
 //! - Sums have a fixed order, and [`float::exp`] is our own: CPU and GPU can agree to the bit.
 //!
 //! `no_std`, no allocation, no panics. Enable `std` (default) or `libm`; SPIR-V needs neither.
@@ -67,7 +68,7 @@ pub mod chebyshev;
 mod esm;
 mod evsm;
 pub mod float;
-mod four_atoms;
+pub mod four_atoms;
 mod gather;
 mod gaussian;
 pub mod hamburger;

@@ -36,7 +36,8 @@ pub fn fit_directional(scene: Bounds, camera: &CameraParams, direction: Vec3, ma
     let (mut min, mut max) = (receivers.min, receivers.max);
     min.z = casters.min.z;
     // A flat or tiny region still needs a box with an inside.
-    let least = (casters.max - casters.min).max_element() * 1e-5 + f32::MIN_POSITIVE;
+    let largest = casters.min.abs().max(casters.max.abs()).max_element();
+    let least = ((casters.max - casters.min).max_element() * 1e-5).max(largest * 1e-6).max(1e-30);
     let texel = ((max - min).xy().max_element().max(least)) / map_size as f32;
     let margin =
         Vec3::new(MARGIN_TEXELS * texel, MARGIN_TEXELS * texel, ((max.z - min.z) * DEPTH_MARGIN).max(least));

@@ -33,8 +33,8 @@ fn a_receiver_in_its_own_caster_is_never_confidently_dark() {
         for d in [z, (z + 1e-7).min(1.0), z.next_up().min(1.0), z.next_down().max(0.0)] {
             let v = all(Vec4::splat(z), QUARTERS, d);
             assert!(v.iter().all(|&v| is_not_dark(v)), "{z} {d} {v:?}");
-            // Those that know the variance exactly are even sure of it.
-            assert!(v[..5].iter().all(|&v| v > 1.0 - LTT_EPSILON), "{z} {d} {v:?}");
+            // All know the depths exactly and are even sure of it.
+            assert!(v.iter().all(|&v| v > 1.0 - LTT_EPSILON), "{z} {d} {v:?}");
         }
     }
 }
@@ -55,7 +55,7 @@ fn a_receiver_at_a_sample_counts_that_sample_as_lit() {
     for (i, lit) in [1.0, 0.75, 0.5, 0.25].into_iter().enumerate() {
         let v = all(z, QUARTERS, z[i]);
         assert_eq!(Pcf { bias: 0.0 }.visibility_of_gather(z, QUARTERS, z[i]), lit);
-        assert!(v[2..].iter().all(|&v| v >= lit - 1e-3 || v.is_nan()), "{i} {v:?}");
+        assert!(v[2..].iter().all(|&v| v >= lit - 1e-5), "{i} {v:?}");
     }
 }
 
@@ -107,9 +107,7 @@ fn a_footprint_of_background_is_lit_and_one_of_near_plane_is_shadowed() {
     }
     for d in [0.1, 0.3, 0.9, 1.0] {
         let dark = all(Vec4::ZERO, QUARTERS, d);
-        assert!(dark[..5].iter().all(|&v| v <= LTT_EPSILON), "{d} {dark:?}");
-        // Four moments are singular there; they may fail, but not claim light.
-        assert!(dark[5..].iter().all(|&v| v <= LTT_EPSILON || v.is_nan()), "{d} {dark:?}");
+        assert!(dark.iter().all(|&v| v <= LTT_EPSILON), "{d} {dark:?}");
     }
 }
 

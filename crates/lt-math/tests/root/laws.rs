@@ -50,7 +50,8 @@ proptest! {
         ];
         prop_assert!(always.iter().flatten().all(|&v| is_in_range(v)), "{always:?}");
         let moments = [both(MsmHamburger::default(), z, w, d), both(MsmHausdorff::default(), z, w, d)];
-        prop_assert!(moments.iter().flatten().all(|&v| v.is_nan() || is_in_range(v)), "{moments:?}");
+        prop_assert!(moments.iter().all(|&[gather, _]| is_in_range(gather)), "{moments:?}");
+        prop_assert!(moments.iter().all(|&[_, v]| v.is_nan() || is_in_range(v)), "{moments:?}");
     }
 
     /// Never too dark, to 1e-5 (1e-4 filtered): rounding of weights that sum to 1 within 2⁻²³, and of stored means.
@@ -66,6 +67,10 @@ proptest! {
         prop_assert!(pure.iter().all(|&v| holds(v)), "{pure:?} {truth}");
         let default = [both(Vsm::default(), z, w, d), both(Evsm::default(), z, w, d)];
         prop_assert!(default.iter().all(|&v| holds(v) && !v[0].is_nan()), "{default:?} {truth}");
+        let moments = [
+            MsmHamburger::default().visibility_of_gather(z, w, d), MsmHausdorff::default().visibility_of_gather(z, w, d),
+        ];
+        prop_assert!(moments.iter().all(|&v| v >= truth - 1e-5), "{moments:?} {truth}");
         let pcf = Pcf { bias: 0.0 };
         prop_assert!(pcf.visibility_of_gather(z, w, d) >= truth - 1e-5);
     }
@@ -82,6 +87,16 @@ proptest! {
         prop_assert!(falls(both(Evsm::default(), z, w, near), both(Evsm::default(), z, w, far)));
     }
 
+    /// To 1e-4; 1.3e-5 was seen in 80 000 cases, near an end of the interval.
+    #[test]
+    fn moment_bounds_of_depths_fall_with_the_receivers_depth(z in depths(), w in weights(), a in depth(), b in depth()) {
+        let v = |d| [
+            MsmHamburger::default().visibility_of_gather(z, w, d), MsmHausdorff::default().visibility_of_gather(z, w, d),
+        ];
+        let (near, far) = (v(a.min(b)), v(a.max(b)));
+        prop_assert!(near[0] >= far[0] - 1e-4 && near[1] >= far[1] - 1e-4, "{near:?} {far:?}");
+    }
+
     /// One layer is decided exactly, outside the band of doubt behind it; moments may fail, but only to a ray.
     #[test]
     fn one_layer_is_exact(z in 0.0f32..0.85, w in weights(), gap in 0.1f32..1.0) {
@@ -93,11 +108,11 @@ proptest! {
             both(MsmHamburger::default(), layer, w, d), both(MsmHausdorff::default(), layer, w, d),
         ];
         for (i, v) in answers(behind).into_iter().flatten().enumerate() {
-            let may_doubt = i >= 10;
+            let may_doubt = i == 11 || i == 13;
             prop_assert!(v <= LTT_EPSILON || may_doubt && needs_ray(v, LTT_EPSILON), "{i}: {v} behind");
         }
         for (i, v) in answers((z - gap).max(0.0)).into_iter().flatten().enumerate() {
-            let may_doubt = i >= 10;
+            let may_doubt = i == 11 || i == 13;
             prop_assert!(v >= 1.0 - LTT_EPSILON || may_doubt && needs_ray(v, LTT_EPSILON), "{i}: {v} in front");
         }
     }
@@ -107,6 +122,9 @@ proptest! {
         let line = filtered(MsmHamburger::default(), z, w, d);
         let interval = filtered(MsmHausdorff::default(), z, w, d);
         prop_assert!(line.is_nan() || interval.is_nan() || interval <= line, "{interval} {line}");
+        let line = MsmHamburger::default().visibility_of_gather(z, w, d);
+        let interval = MsmHausdorff::default().visibility_of_gather(z, w, d);
+        prop_assert!(interval <= line, "{interval} {line}");
     }
 
     #[test]
@@ -130,11 +148,11 @@ proptest! {
     }
 }
 
-/// The share of random footprints for which a moment bound is too dark, or grows with depth, by more than ε.
+/// The share of random footprints for which a filtered moment bound is too dark, or grows with depth, by more than ε.
 ///
 /// These laws hold for exact moments; in f32 they can only hold nearly always.
 #[test]
-fn moment_bounds_keep_the_laws_nearly_always() {
+fn filtered_moment_bounds_keep_the_laws_nearly_always() {
     fn check<T: ShadowTest>(test: T) {
         use crate::support::random::Random;
         let mut random = Random::new(5);
@@ -144,7 +162,7 @@ fn moment_bounds_keep_the_laws_nearly_always() {
             let z = if i % 2 == 0 { random.two_layers() } else { random.four_depths() };
             let (w, a, b) = (random.weights(), random.unit(), random.unit());
             let (near, far) = (a.min(b), a.max(b));
-            let v = [near, far].map(|d| test.visibility_of_gather(z, w, d));
+            let v = [near, far].map(|d| filtered(test, z, w, d));
             dark += u32::from(v[1] < lit_fraction(z, w, far) - LTT_EPSILON);
             growing += u32::from(v[1] > v[0] + LTT_EPSILON);
         }

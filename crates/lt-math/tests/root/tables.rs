@@ -3,7 +3,7 @@
 use crate::support::measure::{
     close_layers, filtered, flat, four_depths, gathered, shares, two_layers, variance_errors,
 };
-use lt_math::{Evsm, MsmHamburger, MsmHausdorff, Vsm};
+use lt_math::{Evsm, MsmHamburger, MsmHausdorff, ShadowTest, Vsm};
 
 const COUNT: u32 = 100_000;
 
@@ -26,8 +26,8 @@ fn hamburger_fails_as_often_as_published() {
     for (moment_bias, published) in [(0.0, 0.035), (3e-7, 0.029), (3e-6, 0.037), (3e-5, 0.098), (6e-5, 0.135)]
     {
         let test = MsmHamburger { moment_bias };
-        let two = shares(test, COUNT, gathered, two_layers);
-        let four = shares(test, COUNT, gathered, four_depths);
+        let two = shares(test, COUNT, filtered, two_layers);
+        let four = shares(test, COUNT, filtered, four_depths);
         let wrong = 100.0 * two.confidently_wrong;
         println!("{moment_bias:e}: published {published} %, measured {wrong:.3} %");
         // Three standard deviations of a count of 30 … 130 in 10⁵.
@@ -40,11 +40,36 @@ fn hamburger_fails_as_often_as_published() {
 
 #[test]
 fn bias_buys_solvable_moments() {
-    let nan = |moment_bias| shares(MsmHamburger { moment_bias }, COUNT, gathered, flat).nan;
+    let nan = |moment_bias| shares(MsmHamburger { moment_bias }, COUNT, filtered, flat).nan;
     let [none, paper, large] = [0.0, 3e-6, 6e-5].map(nan);
     assert!(none > 0.5 && paper < 0.1 && large < 0.005, "{none} {paper} {large}");
-    let interval = shares(MsmHausdorff::default(), COUNT, gathered, flat).nan;
+    let interval = shares(MsmHausdorff::default(), COUNT, filtered, flat).nan;
     assert!(interval < 0.1, "{interval}");
+}
+
+#[test]
+fn depths_in_hand_need_no_bias() {
+    fn check<T: ShadowTest>(test: T, four_wrong: f64) {
+        let [flat, close, two, four] = [
+            shares(test, COUNT, gathered, flat),
+            shares(test, COUNT, gathered, close_layers),
+            shares(test, COUNT, gathered, two_layers),
+            shares(test, COUNT, gathered, four_depths),
+        ];
+        for s in [&flat, &close, &two, &four] {
+            assert_eq!((s.nan, s.below_truth), (0.0, 0.0));
+        }
+        // Four moments know two layers exactly: wrong are receivers within rounding behind a layer 3·10⁻⁴ before another.
+        assert!(
+            two.confidently_wrong < 2e-5 && close.confidently_wrong < 3e-3,
+            "{}",
+            close.confidently_wrong
+        );
+        // A property of the bound, not of rounding.
+        assert!((four.confidently_wrong - four_wrong).abs() < 8e-4, "{}", four.confidently_wrong);
+    }
+    check(MsmHamburger { moment_bias: 0.0 }, 0.0041);
+    check(MsmHausdorff { moment_bias: 0.0 }, 0.0024);
 }
 
 #[test]

@@ -43,30 +43,56 @@ pub fn group(scene: &Scene, bake_all_limit: usize) -> Vec<Group> {
     groups
 }
 
-/// The triangles of a group, in world space if it is baked; their vertices' attributes are appended to `vertices`.
-///
-/// Triangle indices count from the start of `vertices`, so `positions` is padded in front: only its tail is used.
-pub fn soup(scene: &Scene, group: &Group, materials: &PackedMaterials, vertices: &mut Vec<Vertex>) -> Soup {
+/// The triangles of a group, in world space if it is baked. Their indices count from `first_vertex`, so `positions` is
+/// padded in front: only its tail is used.
+pub fn soup(scene: &Scene, group: &Group, materials: &PackedMaterials, first_vertex: usize) -> Soup {
     let mut soup =
-        Soup { positions: vec![Vec3::ZERO; vertices.len()], triangles: Vec::new(), has_holes: Vec::new() };
-    let members = if group.is_instanced { &group.members[..1] } else { &group.members[..] };
-    for &member in members {
-        let instance = &scene.instances[member];
-        let mesh = &scene.meshes[instance.mesh as usize];
-        let transform = if group.is_instanced { Affine3A::IDENTITY } else { instance.transform };
-        let material = materials.variant(mesh.material, instance.casts_shadow, instance.receives_shadow);
-        let has_holes = materials.has_holes(material, mesh);
-        let first = vertices.len() as u32;
-        soup.positions.extend(mesh.positions.iter().map(|&p| transform.transform_point3(p)));
-        push_vertices(mesh, transform, material, vertices);
-        soup.triangles
-            .extend(mesh.indices.chunks_exact(3).map(|t| [t[0] + first, t[1] + first, t[2] + first]));
+        Soup { positions: vec![Vec3::ZERO; first_vertex], triangles: Vec::new(), has_holes: Vec::new() };
+    for part in parts(scene, group, materials) {
+        let has_holes = materials.has_holes(part.material, part.mesh);
+        let first = soup.positions.len() as u32;
+        soup.positions.extend(part.mesh.positions.iter().map(|&p| part.transform.transform_point3(p)));
+        let triangles = part.mesh.indices.chunks_exact(3);
+        soup.triangles.extend(triangles.map(|t| [t[0] + first, t[1] + first, t[2] + first]));
         soup.has_holes.resize(soup.triangles.len(), has_holes);
     }
     soup
 }
 
-fn push_vertices(mesh: &Mesh, transform: Affine3A, material: u32, vertices: &mut Vec<Vertex>) {
+/// Appends the attributes of a group's vertices, in the order of [`soup`].
+pub fn push_vertices(scene: &Scene, group: &Group, materials: &PackedMaterials, vertices: &mut Vec<Vertex>) {
+    for part in parts(scene, group, materials) {
+        push_mesh(part.mesh, part.transform, part.material, vertices);
+    }
+}
+
+/// One mesh of a group's tree.
+struct Part<'a> {
+    mesh: &'a Mesh,
+    /// Into the tree's space.
+    transform: Affine3A,
+    /// Variant of its material.
+    material: u32,
+}
+
+fn parts<'a>(
+    scene: &'a Scene,
+    group: &'a Group,
+    materials: &'a PackedMaterials,
+) -> impl Iterator<Item = Part<'a>> {
+    let members = if group.is_instanced { &group.members[..1] } else { &group.members[..] };
+    members.iter().map(move |&member| {
+        let instance = &scene.instances[member];
+        let mesh = &scene.meshes[instance.mesh as usize];
+        Part {
+            mesh,
+            transform: if group.is_instanced { Affine3A::IDENTITY } else { instance.transform },
+            material: materials.variant(mesh.material, instance.casts_shadow, instance.receives_shadow),
+        }
+    })
+}
+
+fn push_mesh(mesh: &Mesh, transform: Affine3A, material: u32, vertices: &mut Vec<Vertex>) {
     let normal_matrix = Mat3::from(transform.matrix3).inverse().transpose();
     vertices.extend((0..mesh.positions.len()).map(|i| {
         let normal = mesh

@@ -87,12 +87,15 @@ impl PackedScene {
         let mut bvhs = Vec::new();
         let mut holes = Vec::new();
         for group in &groups {
-            let soup = meshes::soup(scene, group, &materials, &mut vertices);
+            let soup = meshes::soup(scene, group, &materials, vertices.len());
             holes.push(soup.has_holes.iter().filter(|h| **h).count() as u64);
             let bvh =
                 Bvh::build(&soup.positions, &soup.triangles, |i| !soup.has_holes[i], BuildQuality::Medium)
                     .map_err(|e| RenderError::Build(e.to_string()))?;
             bvhs.push(bvh);
+            // The build is where memory peaks: the attributes come after it.
+            drop(soup);
+            meshes::push_vertices(scene, group, &materials, &mut vertices);
         }
         let mut stats = PackStats {
             triangles: scene.triangle_count() as u64,
