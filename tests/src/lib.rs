@@ -51,7 +51,8 @@ pub fn gpu_session(scene: &Scene, setup: Setup) -> Option<Session> {
 pub fn count_different(a: &[f32], b: &[f32], tolerance: f32) -> usize {
     assert_eq!(a.len(), b.len(), "lengths differ");
     assert!(!a.is_empty(), "nothing to compare");
-    a.iter().zip(b).filter(|(x, y)| !((*x - *y).abs() <= tolerance)).count()
+    let is_close = |x: f32, y: f32| (x - y).abs() <= tolerance;
+    a.iter().zip(b).filter(|(x, y)| !is_close(**x, **y)).count()
 }
 
 /// Parts per million.

@@ -54,7 +54,7 @@ impl Setup {
         if !(c.fov_y_rad > 0.0 && c.fov_y_rad < std::f32::consts::PI) {
             return bad(format!("field of view {} rad: must lie between 0 and π", c.fov_y_rad));
         }
-        if self.map_size == 0 || self.map_size % 64 != 0 || self.map_size > MAX_MAP_SIZE {
+        if self.map_size == 0 || !self.map_size.is_multiple_of(64) || self.map_size > MAX_MAP_SIZE {
             return bad(format!("map size {}: must be a multiple of 64 up to {MAX_MAP_SIZE}", self.map_size));
         }
         match self.light.kind {

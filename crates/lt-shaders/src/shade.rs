@@ -69,7 +69,7 @@ fn pack_bytes(v: Vec3) -> u32 {
 fn srgb(linear: f32) -> f32 {
     let x = unit(linear);
     let (r2, r4) = (sqrt(x), sqrt(sqrt(x)));
-    unit(0.662_002_7 * r2 + 0.684_122_06 * r4 - 0.323_583_6 * sqrt(r4) - 0.022_541_147 * x)
+    unit(0.662_002_7 * r2 + 0.684_122_1 * r4 - 0.323_583_6 * sqrt(r4) - 0.022_541_147 * x)
 }
 
 /// Into [0, 1]; NaN becomes 0.
