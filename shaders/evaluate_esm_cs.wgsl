@@ -66,37 +66,37 @@ var<storage> map: type_21;
 var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_135_: lt_bvh_traverse_Tree;
-    var phi_136_: bool;
     var phi_137_: lt_bvh_traverse_Tree;
     var phi_138_: bool;
-    var phi_143_: lt_bvh_traverse_Tree;
+    var phi_139_: lt_bvh_traverse_Tree;
+    var phi_140_: bool;
+    var phi_145_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_135_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_136_ = false;
+            phi_137_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_138_ = false;
         } else {
-            phi_135_ = lt_bvh_traverse_Tree();
-            phi_136_ = true;
+            phi_137_ = lt_bvh_traverse_Tree();
+            phi_138_ = true;
         }
-        let _e58 = phi_135_;
-        let _e60 = phi_136_;
-        phi_137_ = _e58;
-        phi_138_ = _e60;
+        let _e59 = phi_137_;
+        let _e61 = phi_138_;
+        phi_139_ = _e59;
+        phi_140_ = _e61;
     } else {
-        phi_137_ = lt_bvh_traverse_Tree();
-        phi_138_ = true;
+        phi_139_ = lt_bvh_traverse_Tree();
+        phi_140_ = true;
     }
-    let _e62 = phi_137_;
-    let _e64 = phi_138_;
-    if _e64 {
-        phi_143_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e63 = phi_139_;
+    let _e65 = phi_140_;
+    if _e65 {
+        phi_145_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_143_ = _e62;
+        phi_145_ = _e63;
     }
-    let _e69 = phi_143_;
-    return lt_bvh_traverse_Tree(_e69.root, _e69.first_primitive);
+    let _e70 = phi_145_;
+    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -104,763 +104,783 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_163_: bool;
-    var phi_167_: f32;
+    var phi_165_: bool;
+    var phi_169_: f32;
 
-    let _e46 = (*param_4);
+    let _e47 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_163_ = true;
+        phi_165_ = true;
     } else {
-        let _e50 = (84f < _e46);
-        if _e50 {
+        let _e51 = (84f < _e47);
+        if _e51 {
         }
-        phi_163_ = _e50;
+        phi_165_ = _e51;
     }
-    let _e52 = phi_163_;
-    if _e52 {
-        phi_167_ = 84f;
+    let _e53 = phi_165_;
+    if _e53 {
+        phi_169_ = 84f;
     } else {
-        phi_167_ = _e46;
+        phi_169_ = _e47;
     }
-    let _e54 = phi_167_;
-    return _e54;
+    let _e55 = phi_169_;
+    return _e55;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_624_: f32;
-    var phi_625_: f32;
-    var phi_626_: f32;
-    var phi_642_: f32;
-    var phi_643_: f32;
-    var phi_644_: f32;
-    var phi_660_: f32;
-    var phi_661_: f32;
-    var phi_662_: f32;
-    var phi_678_: f32;
-    var phi_679_: f32;
-    var phi_680_: f32;
-    var phi_696_: f32;
-    var phi_697_: f32;
-    var phi_698_: f32;
+    var phi_716_: f32;
     var phi_717_: f32;
-    var phi_722_: f32;
-    var phi_744_: f32;
-    var phi_749_: f32;
-    var phi_750_: bool;
-    var phi_751_: f32;
-    var phi_752_: bool;
-    var phi_756_: f32;
-    var phi_794_: f32;
-    var phi_805_: f32;
-    var phi_810_: f32;
-    var phi_832_: f32;
-    var phi_837_: f32;
-    var phi_838_: bool;
-    var phi_839_: f32;
-    var phi_840_: bool;
-    var phi_844_: f32;
-    var phi_882_: f32;
-    var phi_893_: f32;
-    var phi_898_: f32;
-    var phi_920_: f32;
-    var phi_925_: f32;
-    var phi_926_: bool;
-    var phi_927_: f32;
-    var phi_928_: bool;
-    var phi_932_: f32;
-    var phi_970_: f32;
-    var phi_981_: f32;
-    var phi_986_: f32;
-    var phi_1008_: f32;
-    var phi_1013_: f32;
-    var phi_1014_: bool;
-    var phi_1015_: f32;
-    var phi_1016_: bool;
-    var phi_1020_: f32;
-    var phi_1058_: f32;
-    var phi_1084_: f32;
-    var phi_1085_: f32;
-    var phi_1086_: f32;
+    var phi_718_: f32;
+    var phi_734_: f32;
+    var phi_735_: f32;
+    var phi_736_: f32;
+    var phi_752_: f32;
+    var phi_753_: f32;
+    var phi_754_: f32;
+    var phi_770_: f32;
+    var phi_771_: f32;
+    var phi_772_: f32;
+    var phi_788_: f32;
+    var phi_789_: f32;
+    var phi_790_: f32;
+    var phi_809_: f32;
+    var phi_814_: f32;
+    var phi_836_: f32;
+    var phi_841_: f32;
+    var phi_842_: bool;
+    var phi_843_: f32;
+    var phi_844_: bool;
+    var phi_848_: f32;
+    var phi_886_: f32;
+    var phi_897_: f32;
+    var phi_902_: f32;
+    var phi_924_: f32;
+    var phi_929_: f32;
+    var phi_930_: bool;
+    var phi_931_: f32;
+    var phi_932_: bool;
+    var phi_936_: f32;
+    var phi_974_: f32;
+    var phi_985_: f32;
+    var phi_990_: f32;
+    var phi_1012_: f32;
+    var phi_1017_: f32;
+    var phi_1018_: bool;
+    var phi_1019_: f32;
+    var phi_1020_: bool;
+    var phi_1024_: f32;
+    var phi_1062_: f32;
+    var phi_1073_: f32;
+    var phi_1078_: f32;
+    var phi_1100_: f32;
+    var phi_1105_: f32;
+    var phi_1106_: bool;
+    var phi_1107_: f32;
+    var phi_1108_: bool;
+    var phi_1112_: f32;
+    var phi_1150_: f32;
+    var phi_1176_: f32;
+    var phi_1177_: f32;
+    var phi_1178_: f32;
 
-    let _e49 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    let _e50 = _lt_math_esm_Esm_clamped_exponent(param_5);
     if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
-        phi_626_ = param_8;
+        phi_718_ = param_8;
     } else {
         if (param_8 < 0f) {
-            phi_625_ = 0f;
+            phi_717_ = 0f;
         } else {
             if (param_8 > 1f) {
-                phi_624_ = 1f;
+                phi_716_ = 1f;
             } else {
-                phi_624_ = param_8;
+                phi_716_ = param_8;
             }
-            let _e56 = phi_624_;
-            phi_625_ = _e56;
+            let _e57 = phi_716_;
+            phi_717_ = _e57;
         }
-        let _e58 = phi_625_;
-        phi_626_ = _e58;
+        let _e59 = phi_717_;
+        phi_718_ = _e59;
     }
-    let _e60 = phi_626_;
+    let _e61 = phi_718_;
     if ((bitcast<u32>(param_6.x) & 2147483647u) > 2139095040u) {
-        phi_644_ = param_6.x;
+        phi_736_ = param_6.x;
     } else {
         if (param_6.x < 0f) {
-            phi_643_ = 0f;
+            phi_735_ = 0f;
         } else {
             if (param_6.x > 1f) {
-                phi_642_ = 1f;
+                phi_734_ = 1f;
             } else {
-                phi_642_ = param_6.x;
+                phi_734_ = param_6.x;
             }
-            let _e68 = phi_642_;
-            phi_643_ = _e68;
+            let _e69 = phi_734_;
+            phi_735_ = _e69;
         }
-        let _e70 = phi_643_;
-        phi_644_ = _e70;
+        let _e71 = phi_735_;
+        phi_736_ = _e71;
     }
-    let _e72 = phi_644_;
+    let _e73 = phi_736_;
     if ((bitcast<u32>(param_6.y) & 2147483647u) > 2139095040u) {
-        phi_662_ = param_6.y;
+        phi_754_ = param_6.y;
     } else {
         if (param_6.y < 0f) {
-            phi_661_ = 0f;
+            phi_753_ = 0f;
         } else {
             if (param_6.y > 1f) {
-                phi_660_ = 1f;
+                phi_752_ = 1f;
             } else {
-                phi_660_ = param_6.y;
+                phi_752_ = param_6.y;
             }
-            let _e80 = phi_660_;
-            phi_661_ = _e80;
+            let _e81 = phi_752_;
+            phi_753_ = _e81;
         }
-        let _e82 = phi_661_;
-        phi_662_ = _e82;
+        let _e83 = phi_753_;
+        phi_754_ = _e83;
     }
-    let _e84 = phi_662_;
+    let _e85 = phi_754_;
     if ((bitcast<u32>(param_6.z) & 2147483647u) > 2139095040u) {
-        phi_680_ = param_6.z;
+        phi_772_ = param_6.z;
     } else {
         if (param_6.z < 0f) {
-            phi_679_ = 0f;
+            phi_771_ = 0f;
         } else {
             if (param_6.z > 1f) {
-                phi_678_ = 1f;
+                phi_770_ = 1f;
             } else {
-                phi_678_ = param_6.z;
+                phi_770_ = param_6.z;
             }
-            let _e92 = phi_678_;
-            phi_679_ = _e92;
+            let _e93 = phi_770_;
+            phi_771_ = _e93;
         }
-        let _e94 = phi_679_;
-        phi_680_ = _e94;
+        let _e95 = phi_771_;
+        phi_772_ = _e95;
     }
-    let _e96 = phi_680_;
+    let _e97 = phi_772_;
     if ((bitcast<u32>(param_6.w) & 2147483647u) > 2139095040u) {
-        phi_698_ = param_6.w;
+        phi_790_ = param_6.w;
     } else {
         if (param_6.w < 0f) {
-            phi_697_ = 0f;
+            phi_789_ = 0f;
         } else {
             if (param_6.w > 1f) {
-                phi_696_ = 1f;
+                phi_788_ = 1f;
             } else {
-                phi_696_ = param_6.w;
+                phi_788_ = param_6.w;
             }
-            let _e104 = phi_696_;
-            phi_697_ = _e104;
+            let _e105 = phi_788_;
+            phi_789_ = _e105;
         }
-        let _e106 = phi_697_;
-        phi_698_ = _e106;
+        let _e107 = phi_789_;
+        phi_790_ = _e107;
     }
-    let _e108 = phi_698_;
-    let _e113 = (_e49 * (_e72 - _e60));
-    let _e114 = (_e49 * (_e84 - _e60));
-    let _e115 = (_e49 * (_e96 - _e60));
-    let _e116 = (_e49 * (_e108 - _e60));
-    if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-        phi_794_ = _e113;
-    } else {
-        if (_e113 < -87f) {
-            phi_717_ = -87f;
-        } else {
-            phi_717_ = _e113;
-        }
-        let _e122 = phi_717_;
-        if (_e122 > 88f) {
-            phi_722_ = 88f;
-        } else {
-            phi_722_ = _e122;
-        }
-        let _e125 = phi_722_;
-        let _e127 = ((_e125 * 1.442695f) + 0.5f);
-        if (_e127 > -8388608f) {
-            let _e139 = f32(select(0i, select(select(i32(_e127), i32(-2147483648), (_e127 < bitcast<f32>(3472883712u))), 2147483647i, (_e127 > bitcast<f32>(1325400063u))), (_e127 == _e127)));
-            if (_e139 > _e127) {
-                phi_744_ = 1f;
-            } else {
-                phi_744_ = 0f;
-            }
-            let _e142 = phi_744_;
-            if (_e127 < 8388608f) {
-                phi_749_ = (_e139 - _e142);
-                phi_750_ = false;
-            } else {
-                phi_749_ = f32();
-                phi_750_ = true;
-            }
-            let _e145 = phi_749_;
-            let _e147 = phi_750_;
-            phi_751_ = _e145;
-            phi_752_ = _e147;
-        } else {
-            phi_751_ = f32();
-            phi_752_ = true;
-        }
-        let _e149 = phi_751_;
-        let _e151 = phi_752_;
-        if _e151 {
-            phi_756_ = _e127;
-        } else {
-            phi_756_ = _e149;
-        }
-        let _e153 = phi_756_;
-        let _e157 = ((_e125 - (_e153 * 0.69314575f)) - (_e153 * 0.0000014286068f));
-        phi_794_ = ((((((((((((((((1f / 5040f) * _e157) + (1f / 720f)) * _e157) + (1f / 120f)) * _e157) + (1f / 24f)) * _e157) + (1f / 6f)) * _e157) + 0.5f) * _e157) + 1f) * _e157) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e153), i32(-2147483648), (_e153 < bitcast<f32>(3472883712u))), 2147483647i, (_e153 > bitcast<f32>(1325400063u))), (_e153 == _e153)) + 127i)) << bitcast<u32>(23i))));
-    }
-    let _e193 = phi_794_;
+    let _e109 = phi_790_;
+    let _e114 = (_e50 * (_e73 - _e61));
+    let _e115 = (_e50 * (_e85 - _e61));
+    let _e116 = (_e50 * (_e97 - _e61));
+    let _e117 = (_e50 * (_e109 - _e61));
     if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
-        phi_882_ = _e114;
+        phi_886_ = _e114;
     } else {
         if (_e114 < -87f) {
-            phi_805_ = -87f;
+            phi_809_ = -87f;
         } else {
-            phi_805_ = _e114;
+            phi_809_ = _e114;
         }
-        let _e199 = phi_805_;
-        if (_e199 > 88f) {
-            phi_810_ = 88f;
+        let _e123 = phi_809_;
+        if (_e123 > 88f) {
+            phi_814_ = 88f;
         } else {
-            phi_810_ = _e199;
+            phi_814_ = _e123;
         }
-        let _e202 = phi_810_;
-        let _e204 = ((_e202 * 1.442695f) + 0.5f);
-        if (_e204 > -8388608f) {
-            let _e216 = f32(select(0i, select(select(i32(_e204), i32(-2147483648), (_e204 < bitcast<f32>(3472883712u))), 2147483647i, (_e204 > bitcast<f32>(1325400063u))), (_e204 == _e204)));
-            if (_e216 > _e204) {
-                phi_832_ = 1f;
+        let _e126 = phi_814_;
+        let _e128 = ((_e126 * 1.442695f) + 0.5f);
+        if (_e128 > -8388608f) {
+            let _e140 = f32(select(0i, select(select(i32(_e128), i32(-2147483648), (_e128 < bitcast<f32>(3472883712u))), 2147483647i, (_e128 > bitcast<f32>(1325400063u))), (_e128 == _e128)));
+            if (_e140 > _e128) {
+                phi_836_ = 1f;
             } else {
-                phi_832_ = 0f;
+                phi_836_ = 0f;
             }
-            let _e219 = phi_832_;
-            if (_e204 < 8388608f) {
-                phi_837_ = (_e216 - _e219);
-                phi_838_ = false;
+            let _e143 = phi_836_;
+            if (_e128 < 8388608f) {
+                phi_841_ = (_e140 - _e143);
+                phi_842_ = false;
             } else {
-                phi_837_ = f32();
-                phi_838_ = true;
+                phi_841_ = f32();
+                phi_842_ = true;
             }
-            let _e222 = phi_837_;
-            let _e224 = phi_838_;
-            phi_839_ = _e222;
-            phi_840_ = _e224;
+            let _e146 = phi_841_;
+            let _e148 = phi_842_;
+            phi_843_ = _e146;
+            phi_844_ = _e148;
         } else {
-            phi_839_ = f32();
-            phi_840_ = true;
+            phi_843_ = f32();
+            phi_844_ = true;
         }
-        let _e226 = phi_839_;
-        let _e228 = phi_840_;
-        if _e228 {
-            phi_844_ = _e204;
+        let _e150 = phi_843_;
+        let _e152 = phi_844_;
+        if _e152 {
+            phi_848_ = _e128;
         } else {
-            phi_844_ = _e226;
+            phi_848_ = _e150;
         }
-        let _e230 = phi_844_;
-        let _e234 = ((_e202 - (_e230 * 0.69314575f)) - (_e230 * 0.0000014286068f));
-        phi_882_ = ((((((((((((((((1f / 5040f) * _e234) + (1f / 720f)) * _e234) + (1f / 120f)) * _e234) + (1f / 24f)) * _e234) + (1f / 6f)) * _e234) + 0.5f) * _e234) + 1f) * _e234) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e230), i32(-2147483648), (_e230 < bitcast<f32>(3472883712u))), 2147483647i, (_e230 > bitcast<f32>(1325400063u))), (_e230 == _e230)) + 127i)) << bitcast<u32>(23i))));
+        let _e154 = phi_848_;
+        let _e158 = ((_e126 - (_e154 * 0.69314575f)) - (_e154 * 0.0000014286068f));
+        phi_886_ = ((((((((((((((((1f / 5040f) * _e158) + (1f / 720f)) * _e158) + (1f / 120f)) * _e158) + (1f / 24f)) * _e158) + (1f / 6f)) * _e158) + 0.5f) * _e158) + 1f) * _e158) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e154), i32(-2147483648), (_e154 < bitcast<f32>(3472883712u))), 2147483647i, (_e154 > bitcast<f32>(1325400063u))), (_e154 == _e154)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e270 = phi_882_;
+    let _e194 = phi_886_;
     if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-        phi_970_ = _e115;
+        phi_974_ = _e115;
     } else {
         if (_e115 < -87f) {
-            phi_893_ = -87f;
+            phi_897_ = -87f;
         } else {
-            phi_893_ = _e115;
+            phi_897_ = _e115;
         }
-        let _e276 = phi_893_;
-        if (_e276 > 88f) {
-            phi_898_ = 88f;
+        let _e200 = phi_897_;
+        if (_e200 > 88f) {
+            phi_902_ = 88f;
         } else {
-            phi_898_ = _e276;
+            phi_902_ = _e200;
         }
-        let _e279 = phi_898_;
-        let _e281 = ((_e279 * 1.442695f) + 0.5f);
-        if (_e281 > -8388608f) {
-            let _e293 = f32(select(0i, select(select(i32(_e281), i32(-2147483648), (_e281 < bitcast<f32>(3472883712u))), 2147483647i, (_e281 > bitcast<f32>(1325400063u))), (_e281 == _e281)));
-            if (_e293 > _e281) {
-                phi_920_ = 1f;
+        let _e203 = phi_902_;
+        let _e205 = ((_e203 * 1.442695f) + 0.5f);
+        if (_e205 > -8388608f) {
+            let _e217 = f32(select(0i, select(select(i32(_e205), i32(-2147483648), (_e205 < bitcast<f32>(3472883712u))), 2147483647i, (_e205 > bitcast<f32>(1325400063u))), (_e205 == _e205)));
+            if (_e217 > _e205) {
+                phi_924_ = 1f;
             } else {
-                phi_920_ = 0f;
+                phi_924_ = 0f;
             }
-            let _e296 = phi_920_;
-            if (_e281 < 8388608f) {
-                phi_925_ = (_e293 - _e296);
-                phi_926_ = false;
+            let _e220 = phi_924_;
+            if (_e205 < 8388608f) {
+                phi_929_ = (_e217 - _e220);
+                phi_930_ = false;
             } else {
-                phi_925_ = f32();
-                phi_926_ = true;
+                phi_929_ = f32();
+                phi_930_ = true;
             }
-            let _e299 = phi_925_;
-            let _e301 = phi_926_;
-            phi_927_ = _e299;
-            phi_928_ = _e301;
+            let _e223 = phi_929_;
+            let _e225 = phi_930_;
+            phi_931_ = _e223;
+            phi_932_ = _e225;
         } else {
-            phi_927_ = f32();
-            phi_928_ = true;
+            phi_931_ = f32();
+            phi_932_ = true;
         }
-        let _e303 = phi_927_;
-        let _e305 = phi_928_;
-        if _e305 {
-            phi_932_ = _e281;
+        let _e227 = phi_931_;
+        let _e229 = phi_932_;
+        if _e229 {
+            phi_936_ = _e205;
         } else {
-            phi_932_ = _e303;
+            phi_936_ = _e227;
         }
-        let _e307 = phi_932_;
-        let _e311 = ((_e279 - (_e307 * 0.69314575f)) - (_e307 * 0.0000014286068f));
-        phi_970_ = ((((((((((((((((1f / 5040f) * _e311) + (1f / 720f)) * _e311) + (1f / 120f)) * _e311) + (1f / 24f)) * _e311) + (1f / 6f)) * _e311) + 0.5f) * _e311) + 1f) * _e311) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e307), i32(-2147483648), (_e307 < bitcast<f32>(3472883712u))), 2147483647i, (_e307 > bitcast<f32>(1325400063u))), (_e307 == _e307)) + 127i)) << bitcast<u32>(23i))));
+        let _e231 = phi_936_;
+        let _e235 = ((_e203 - (_e231 * 0.69314575f)) - (_e231 * 0.0000014286068f));
+        phi_974_ = ((((((((((((((((1f / 5040f) * _e235) + (1f / 720f)) * _e235) + (1f / 120f)) * _e235) + (1f / 24f)) * _e235) + (1f / 6f)) * _e235) + 0.5f) * _e235) + 1f) * _e235) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e231), i32(-2147483648), (_e231 < bitcast<f32>(3472883712u))), 2147483647i, (_e231 > bitcast<f32>(1325400063u))), (_e231 == _e231)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e347 = phi_970_;
+    let _e271 = phi_974_;
     if ((bitcast<u32>(_e116) & 2147483647u) > 2139095040u) {
-        phi_1058_ = _e116;
+        phi_1062_ = _e116;
     } else {
         if (_e116 < -87f) {
-            phi_981_ = -87f;
+            phi_985_ = -87f;
         } else {
-            phi_981_ = _e116;
+            phi_985_ = _e116;
         }
-        let _e353 = phi_981_;
-        if (_e353 > 88f) {
-            phi_986_ = 88f;
+        let _e277 = phi_985_;
+        if (_e277 > 88f) {
+            phi_990_ = 88f;
         } else {
-            phi_986_ = _e353;
+            phi_990_ = _e277;
         }
-        let _e356 = phi_986_;
-        let _e358 = ((_e356 * 1.442695f) + 0.5f);
-        if (_e358 > -8388608f) {
-            let _e370 = f32(select(0i, select(select(i32(_e358), i32(-2147483648), (_e358 < bitcast<f32>(3472883712u))), 2147483647i, (_e358 > bitcast<f32>(1325400063u))), (_e358 == _e358)));
-            if (_e370 > _e358) {
-                phi_1008_ = 1f;
+        let _e280 = phi_990_;
+        let _e282 = ((_e280 * 1.442695f) + 0.5f);
+        if (_e282 > -8388608f) {
+            let _e294 = f32(select(0i, select(select(i32(_e282), i32(-2147483648), (_e282 < bitcast<f32>(3472883712u))), 2147483647i, (_e282 > bitcast<f32>(1325400063u))), (_e282 == _e282)));
+            if (_e294 > _e282) {
+                phi_1012_ = 1f;
             } else {
-                phi_1008_ = 0f;
+                phi_1012_ = 0f;
             }
-            let _e373 = phi_1008_;
-            if (_e358 < 8388608f) {
-                phi_1013_ = (_e370 - _e373);
-                phi_1014_ = false;
+            let _e297 = phi_1012_;
+            if (_e282 < 8388608f) {
+                phi_1017_ = (_e294 - _e297);
+                phi_1018_ = false;
             } else {
-                phi_1013_ = f32();
-                phi_1014_ = true;
+                phi_1017_ = f32();
+                phi_1018_ = true;
             }
-            let _e376 = phi_1013_;
-            let _e378 = phi_1014_;
-            phi_1015_ = _e376;
-            phi_1016_ = _e378;
+            let _e300 = phi_1017_;
+            let _e302 = phi_1018_;
+            phi_1019_ = _e300;
+            phi_1020_ = _e302;
         } else {
-            phi_1015_ = f32();
-            phi_1016_ = true;
+            phi_1019_ = f32();
+            phi_1020_ = true;
         }
-        let _e380 = phi_1015_;
-        let _e382 = phi_1016_;
-        if _e382 {
-            phi_1020_ = _e358;
+        let _e304 = phi_1019_;
+        let _e306 = phi_1020_;
+        if _e306 {
+            phi_1024_ = _e282;
         } else {
-            phi_1020_ = _e380;
+            phi_1024_ = _e304;
         }
-        let _e384 = phi_1020_;
-        let _e388 = ((_e356 - (_e384 * 0.69314575f)) - (_e384 * 0.0000014286068f));
-        phi_1058_ = ((((((((((((((((1f / 5040f) * _e388) + (1f / 720f)) * _e388) + (1f / 120f)) * _e388) + (1f / 24f)) * _e388) + (1f / 6f)) * _e388) + 0.5f) * _e388) + 1f) * _e388) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e384), i32(-2147483648), (_e384 < bitcast<f32>(3472883712u))), 2147483647i, (_e384 > bitcast<f32>(1325400063u))), (_e384 == _e384)) + 127i)) << bitcast<u32>(23i))));
+        let _e308 = phi_1024_;
+        let _e312 = ((_e280 - (_e308 * 0.69314575f)) - (_e308 * 0.0000014286068f));
+        phi_1062_ = ((((((((((((((((1f / 5040f) * _e312) + (1f / 720f)) * _e312) + (1f / 120f)) * _e312) + (1f / 24f)) * _e312) + (1f / 6f)) * _e312) + 0.5f) * _e312) + 1f) * _e312) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e308), i32(-2147483648), (_e308 < bitcast<f32>(3472883712u))), 2147483647i, (_e308 > bitcast<f32>(1325400063u))), (_e308 == _e308)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e424 = phi_1058_;
-    let _e435 = ((((_e193 * param_7.x) + (_e270 * param_7.y)) + (_e347 * param_7.z)) + (_e424 * param_7.w));
-    if ((bitcast<u32>(_e435) & 2147483647u) > 2139095040u) {
-        phi_1086_ = _e435;
+    let _e348 = phi_1062_;
+    if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
+        phi_1150_ = _e117;
     } else {
-        if (_e435 < 0f) {
-            phi_1085_ = 0f;
+        if (_e117 < -87f) {
+            phi_1073_ = -87f;
         } else {
-            if (_e435 > 1f) {
-                phi_1084_ = 1f;
-            } else {
-                phi_1084_ = _e435;
-            }
-            let _e442 = phi_1084_;
-            phi_1085_ = _e442;
+            phi_1073_ = _e117;
         }
-        let _e444 = phi_1085_;
-        phi_1086_ = _e444;
+        let _e354 = phi_1073_;
+        if (_e354 > 88f) {
+            phi_1078_ = 88f;
+        } else {
+            phi_1078_ = _e354;
+        }
+        let _e357 = phi_1078_;
+        let _e359 = ((_e357 * 1.442695f) + 0.5f);
+        if (_e359 > -8388608f) {
+            let _e371 = f32(select(0i, select(select(i32(_e359), i32(-2147483648), (_e359 < bitcast<f32>(3472883712u))), 2147483647i, (_e359 > bitcast<f32>(1325400063u))), (_e359 == _e359)));
+            if (_e371 > _e359) {
+                phi_1100_ = 1f;
+            } else {
+                phi_1100_ = 0f;
+            }
+            let _e374 = phi_1100_;
+            if (_e359 < 8388608f) {
+                phi_1105_ = (_e371 - _e374);
+                phi_1106_ = false;
+            } else {
+                phi_1105_ = f32();
+                phi_1106_ = true;
+            }
+            let _e377 = phi_1105_;
+            let _e379 = phi_1106_;
+            phi_1107_ = _e377;
+            phi_1108_ = _e379;
+        } else {
+            phi_1107_ = f32();
+            phi_1108_ = true;
+        }
+        let _e381 = phi_1107_;
+        let _e383 = phi_1108_;
+        if _e383 {
+            phi_1112_ = _e359;
+        } else {
+            phi_1112_ = _e381;
+        }
+        let _e385 = phi_1112_;
+        let _e389 = ((_e357 - (_e385 * 0.69314575f)) - (_e385 * 0.0000014286068f));
+        phi_1150_ = ((((((((((((((((1f / 5040f) * _e389) + (1f / 720f)) * _e389) + (1f / 120f)) * _e389) + (1f / 24f)) * _e389) + (1f / 6f)) * _e389) + 0.5f) * _e389) + 1f) * _e389) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e385), i32(-2147483648), (_e385 < bitcast<f32>(3472883712u))), 2147483647i, (_e385 > bitcast<f32>(1325400063u))), (_e385 == _e385)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e446 = phi_1086_;
-    return _e446;
+    let _e425 = phi_1150_;
+    let _e436 = ((((_e194 * param_7.x) + (_e271 * param_7.y)) + (_e348 * param_7.z)) + (_e425 * param_7.w));
+    if ((bitcast<u32>(_e436) & 2147483647u) > 2139095040u) {
+        phi_1178_ = _e436;
+    } else {
+        if (_e436 < 0f) {
+            phi_1177_ = 0f;
+        } else {
+            if (_e436 > 1f) {
+                phi_1176_ = 1f;
+            } else {
+                phi_1176_ = _e436;
+            }
+            let _e443 = phi_1176_;
+            phi_1177_ = _e443;
+        }
+        let _e445 = phi_1177_;
+        phi_1178_ = _e445;
+    }
+    let _e447 = phi_1178_;
+    return _e447;
 }
 
 fn function_() {
     var local: f32;
-    var phi_221_: bool;
-    var phi_222_: bool;
     var phi_223_: bool;
     var phi_224_: bool;
-    var phi_228_: bool;
-    var phi_272_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_276_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_353_: bool;
-    var phi_362_: bool;
-    var phi_371_: bool;
-    var phi_372_: bool;
+    var phi_225_: bool;
+    var phi_226_: bool;
+    var phi_230_: bool;
+    var phi_274_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_278_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_355_: bool;
+    var phi_364_: bool;
     var phi_373_: bool;
     var phi_374_: bool;
     var phi_375_: bool;
     var phi_376_: bool;
     var phi_377_: bool;
-    var phi_381_: bool;
-    var phi_417_: f32;
-    var phi_422_: f32;
-    var phi_423_: bool;
-    var phi_424_: f32;
-    var phi_425_: bool;
-    var phi_429_: f32;
-    var phi_449_: f32;
-    var phi_454_: f32;
-    var phi_455_: bool;
-    var phi_456_: f32;
-    var phi_457_: bool;
-    var phi_461_: f32;
-    var phi_507_: i32;
-    var phi_512_: i32;
-    var phi_517_: i32;
-    var phi_522_: i32;
-    var phi_531_: i32;
-    var phi_536_: i32;
-    var phi_541_: i32;
-    var phi_546_: i32;
-    var phi_587_: evaluate_Verdict;
-    var phi_588_: evaluate_Verdict;
-    var phi_589_: bool;
-    var phi_590_: evaluate_Verdict;
-    var phi_591_: evaluate_Verdict;
-    var phi_592_: bool;
-    var phi_596_: evaluate_Verdict;
+    var phi_378_: bool;
+    var phi_379_: bool;
+    var phi_383_: bool;
+    var phi_477_: f32;
+    var phi_480_: f32;
+    var phi_509_: f32;
+    var phi_514_: f32;
+    var phi_515_: bool;
+    var phi_516_: f32;
+    var phi_517_: bool;
+    var phi_521_: f32;
+    var phi_541_: f32;
+    var phi_546_: f32;
+    var phi_547_: bool;
+    var phi_548_: f32;
+    var phi_549_: bool;
+    var phi_553_: f32;
+    var phi_599_: i32;
+    var phi_604_: i32;
+    var phi_609_: i32;
+    var phi_614_: i32;
+    var phi_623_: i32;
+    var phi_628_: i32;
+    var phi_633_: i32;
+    var phi_638_: i32;
+    var phi_679_: evaluate_Verdict;
+    var phi_680_: evaluate_Verdict;
+    var phi_681_: bool;
+    var phi_682_: evaluate_Verdict;
+    var phi_683_: evaluate_Verdict;
+    var phi_684_: bool;
+    var phi_688_: evaluate_Verdict;
 
-    let _e46 = id_1;
-    let _e53 = arrayLength((&map.member));
-    let _e59 = p.member.size[0u];
-    let _e61 = p.member.size[1u];
-    let _e62 = lt_shaders_entry_pixel_index(_e46, _e59, _e61);
-    if (bitcast<i32>(_e62.root) != 0i) {
-        if (_e62.first_primitive < arrayLength((&samples.member))) {
+    let _e47 = id_1;
+    let _e54 = arrayLength((&map.member));
+    let _e60 = p.member.size[0u];
+    let _e62 = p.member.size[1u];
+    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
+    if (bitcast<i32>(_e63.root) != 0i) {
+        if (_e63.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e71 = p.member.light;
-        let _e74 = samples.member[(0u + _e62.first_primitive)].normal[0u];
-        let _e76 = global[0u];
-        if (_e74 == _e76) {
-            let _e79 = samples.member[(0u + _e62.first_primitive)].normal[1u];
-            let _e81 = global[1u];
-            if (_e79 == _e81) {
-                let _e84 = samples.member[(0u + _e62.first_primitive)].normal[2u];
-                let _e86 = global[2u];
-                phi_221_ = (_e84 == _e86);
-                phi_222_ = false;
+        let _e72 = p.member.light;
+        let _e75 = samples.member[(0u + _e63.first_primitive)].normal[0u];
+        let _e77 = global[0u];
+        if (_e75 == _e77) {
+            let _e80 = samples.member[(0u + _e63.first_primitive)].normal[1u];
+            let _e82 = global[1u];
+            if (_e80 == _e82) {
+                let _e85 = samples.member[(0u + _e63.first_primitive)].normal[2u];
+                let _e87 = global[2u];
+                phi_223_ = (_e85 == _e87);
+                phi_224_ = false;
             } else {
-                phi_221_ = bool();
-                phi_222_ = true;
+                phi_223_ = bool();
+                phi_224_ = true;
             }
-            let _e89 = phi_221_;
-            let _e91 = phi_222_;
-            phi_223_ = _e89;
-            phi_224_ = _e91;
+            let _e90 = phi_223_;
+            let _e92 = phi_224_;
+            phi_225_ = _e90;
+            phi_226_ = _e92;
         } else {
-            phi_223_ = bool();
-            phi_224_ = true;
+            phi_225_ = bool();
+            phi_226_ = true;
         }
-        let _e93 = phi_223_;
-        let _e95 = phi_224_;
-        if _e95 {
-            phi_228_ = false;
+        let _e94 = phi_225_;
+        let _e96 = phi_226_;
+        if _e96 {
+            phi_230_ = false;
         } else {
-            phi_228_ = _e93;
+            phi_230_ = _e94;
         }
-        let _e97 = phi_228_;
-        if !(_e97) {
-            let _e100 = samples.member[(0u + _e62.first_primitive)].normal;
-            let _e102 = samples.member[(0u + _e62.first_primitive)].position;
-            if ((((_e100.x * (_e71.x - (_e102.x * _e71.w))) + (_e100.y * (_e71.y - (_e102.y * _e71.w)))) + (_e100.z * (_e71.z - (_e102.z * _e71.w)))) > 0f) {
-                let _e126 = samples.member[(0u + _e62.first_primitive)].flags;
-                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e134.unnamed.visibility, false), _e134.unnamed_1);
-                phi_272_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e140.unnamed, ((_e126 & 1u) == 0u));
+        let _e98 = phi_230_;
+        if !(_e98) {
+            let _e101 = samples.member[(0u + _e63.first_primitive)].normal;
+            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
+            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
+                let _e127 = samples.member[(0u + _e63.first_primitive)].flags;
+                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
+                phi_274_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
             } else {
-                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e149.unnamed.visibility, false), _e149.unnamed_1);
-                phi_272_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e155.unnamed, true);
+                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
+                phi_274_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
             }
-            let _e160 = phi_272_;
-            phi_276_ = _e160;
+            let _e161 = phi_274_;
+            phi_278_ = _e161;
         } else {
-            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e166.unnamed.visibility, false), _e166.unnamed_1);
-            phi_276_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e172.unnamed, true);
+            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
+            phi_278_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
         }
-        let _e177 = phi_276_;
-        if _e177.unnamed_1 {
-            phi_590_ = evaluate_Verdict(_e177.unnamed.visibility, _e177.unnamed.is_doubted);
-            phi_591_ = evaluate_Verdict();
-            phi_592_ = true;
+        let _e178 = phi_278_;
+        if _e178.unnamed_1 {
+            phi_682_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
+            phi_683_ = evaluate_Verdict();
+            phi_684_ = true;
         } else {
-            let _e185 = samples.member[(0u + _e62.first_primitive)].position;
-            let _e191 = p.member.projection.row_w;
-            let _e202 = ((((_e191.x * _e185.x) + (_e191.y * _e185.y)) + (_e191.z * _e185.z)) + (_e191.w * 1f));
-            let _e204 = p.member.projection.row_x;
-            let _e216 = (((((_e204.x * _e185.x) + (_e204.y * _e185.y)) + (_e204.z * _e185.z)) + (_e204.w * 1f)) / _e202);
-            let _e218 = p.member.projection.row_y;
-            let _e230 = (((((_e218.x * _e185.x) + (_e218.y * _e185.y)) + (_e218.z * _e185.z)) + (_e218.w * 1f)) / _e202);
-            let _e232 = p.member.projection.row_z;
-            let _e243 = ((((_e232.x * _e185.x) + (_e232.y * _e185.y)) + (_e232.z * _e185.z)) + (_e232.w * 1f));
-            if (_e202 > 0f) {
-                if (_e216 >= 0f) {
-                    phi_353_ = (_e216 <= 1f);
+            let _e186 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e192 = p.member.projection.row_w;
+            let _e203 = ((((_e192.x * _e186.x) + (_e192.y * _e186.y)) + (_e192.z * _e186.z)) + (_e192.w * 1f));
+            let _e205 = p.member.projection.row_x;
+            let _e217 = (((((_e205.x * _e186.x) + (_e205.y * _e186.y)) + (_e205.z * _e186.z)) + (_e205.w * 1f)) / _e203);
+            let _e219 = p.member.projection.row_y;
+            let _e231 = (((((_e219.x * _e186.x) + (_e219.y * _e186.y)) + (_e219.z * _e186.z)) + (_e219.w * 1f)) / _e203);
+            let _e233 = p.member.projection.row_z;
+            let _e244 = ((((_e233.x * _e186.x) + (_e233.y * _e186.y)) + (_e233.z * _e186.z)) + (_e233.w * 1f));
+            if (_e203 > 0f) {
+                if (_e217 >= 0f) {
+                    phi_355_ = (_e217 <= 1f);
                 } else {
-                    phi_353_ = false;
+                    phi_355_ = false;
                 }
-                let _e248 = phi_353_;
-                if _e248 {
-                    if (_e230 >= 0f) {
-                        phi_362_ = (_e230 <= 1f);
+                let _e249 = phi_355_;
+                if _e249 {
+                    if (_e231 >= 0f) {
+                        phi_364_ = (_e231 <= 1f);
                     } else {
-                        phi_362_ = false;
+                        phi_364_ = false;
                     }
-                    let _e252 = phi_362_;
-                    if _e252 {
-                        if (_e243 >= 0f) {
-                            phi_371_ = (_e243 <= 1f);
+                    let _e253 = phi_364_;
+                    if _e253 {
+                        if (_e244 >= 0f) {
+                            phi_373_ = (_e244 <= 1f);
                         } else {
-                            phi_371_ = false;
+                            phi_373_ = false;
                         }
-                        let _e256 = phi_371_;
-                        phi_372_ = _e256;
-                        phi_373_ = false;
+                        let _e257 = phi_373_;
+                        phi_374_ = _e257;
+                        phi_375_ = false;
                     } else {
-                        phi_372_ = bool();
-                        phi_373_ = true;
+                        phi_374_ = bool();
+                        phi_375_ = true;
                     }
-                    let _e258 = phi_372_;
-                    let _e260 = phi_373_;
-                    phi_374_ = _e258;
-                    phi_375_ = _e260;
+                    let _e259 = phi_374_;
+                    let _e261 = phi_375_;
+                    phi_376_ = _e259;
+                    phi_377_ = _e261;
                 } else {
-                    phi_374_ = bool();
-                    phi_375_ = true;
+                    phi_376_ = bool();
+                    phi_377_ = true;
                 }
-                let _e262 = phi_374_;
-                let _e264 = phi_375_;
-                phi_376_ = _e262;
-                phi_377_ = _e264;
+                let _e263 = phi_376_;
+                let _e265 = phi_377_;
+                phi_378_ = _e263;
+                phi_379_ = _e265;
             } else {
-                phi_376_ = bool();
-                phi_377_ = true;
+                phi_378_ = bool();
+                phi_379_ = true;
             }
-            let _e266 = phi_376_;
-            let _e268 = phi_377_;
-            if _e268 {
-                phi_381_ = false;
+            let _e267 = phi_378_;
+            let _e269 = phi_379_;
+            if _e269 {
+                phi_383_ = false;
             } else {
-                phi_381_ = _e266;
+                phi_383_ = _e267;
             }
-            let _e270 = phi_381_;
-            if _e270 {
-                let _e272 = p.member.map_size;
-                let _e273 = f32(_e272);
-                let _e276 = ((_e216 * _e273) - 0.5f);
-                let _e277 = ((_e230 * _e273) - 0.5f);
-                if (_e276 > -8388608f) {
-                    let _e289 = f32(select(0i, select(select(i32(_e276), i32(-2147483648), (_e276 < bitcast<f32>(3472883712u))), 2147483647i, (_e276 > bitcast<f32>(1325400063u))), (_e276 == _e276)));
-                    if (_e289 > _e276) {
-                        phi_417_ = 1f;
+            let _e271 = phi_383_;
+            if _e271 {
+                if (0f > 0f) {
+                    let _e274 = samples.member[(0u + _e63.first_primitive)].normal;
+                    let _e276 = p.member.map_size;
+                    let _e279 = p.member.projection.row_x;
+                    let _e301 = p.member.projection.row_y;
+                    let _e323 = p.member.projection.row_z;
+                    let _e350 = ((abs(((((_e279.x * _e274.x) + (_e279.y * _e274.y)) + (_e279.z * _e274.z)) / (((_e279.x * _e279.x) + (_e279.y * _e279.y)) + (_e279.z * _e279.z)))) + abs(((((_e301.x * _e274.x) + (_e301.y * _e274.y)) + (_e301.z * _e274.z)) / (((_e301.x * _e301.x) + (_e301.y * _e301.y)) + (_e301.z * _e301.z))))) / (abs(((((_e323.x * _e274.x) + (_e323.y * _e274.y)) + (_e323.z * _e274.z)) / (((_e323.x * _e323.x) + (_e323.y * _e323.y)) + (_e323.z * _e323.z)))) * f32(_e276)));
+                    if (_e350 < 0.002f) {
+                        phi_477_ = _e350;
                     } else {
-                        phi_417_ = 0f;
+                        phi_477_ = 0.002f;
                     }
-                    let _e292 = phi_417_;
-                    if (_e276 < 8388608f) {
-                        phi_422_ = (_e289 - _e292);
-                        phi_423_ = false;
+                    let _e353 = phi_477_;
+                    phi_480_ = (_e244 - (0f * _e353));
+                } else {
+                    phi_480_ = _e244;
+                }
+                let _e357 = phi_480_;
+                let _e359 = p.member.map_size;
+                let _e360 = f32(_e359);
+                let _e363 = ((_e217 * _e360) - 0.5f);
+                let _e364 = ((_e231 * _e360) - 0.5f);
+                if (_e363 > -8388608f) {
+                    let _e376 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
+                    if (_e376 > _e363) {
+                        phi_509_ = 1f;
                     } else {
-                        phi_422_ = f32();
-                        phi_423_ = true;
+                        phi_509_ = 0f;
                     }
-                    let _e295 = phi_422_;
-                    let _e297 = phi_423_;
-                    phi_424_ = _e295;
-                    phi_425_ = _e297;
-                } else {
-                    phi_424_ = f32();
-                    phi_425_ = true;
-                }
-                let _e299 = phi_424_;
-                let _e301 = phi_425_;
-                if _e301 {
-                    phi_429_ = _e276;
-                } else {
-                    phi_429_ = _e299;
-                }
-                let _e303 = phi_429_;
-                if (_e277 > -8388608f) {
-                    let _e315 = f32(select(0i, select(select(i32(_e277), i32(-2147483648), (_e277 < bitcast<f32>(3472883712u))), 2147483647i, (_e277 > bitcast<f32>(1325400063u))), (_e277 == _e277)));
-                    if (_e315 > _e277) {
-                        phi_449_ = 1f;
+                    let _e379 = phi_509_;
+                    if (_e363 < 8388608f) {
+                        phi_514_ = (_e376 - _e379);
+                        phi_515_ = false;
                     } else {
-                        phi_449_ = 0f;
+                        phi_514_ = f32();
+                        phi_515_ = true;
                     }
-                    let _e318 = phi_449_;
-                    if (_e277 < 8388608f) {
-                        phi_454_ = (_e315 - _e318);
-                        phi_455_ = false;
+                    let _e382 = phi_514_;
+                    let _e384 = phi_515_;
+                    phi_516_ = _e382;
+                    phi_517_ = _e384;
+                } else {
+                    phi_516_ = f32();
+                    phi_517_ = true;
+                }
+                let _e386 = phi_516_;
+                let _e388 = phi_517_;
+                if _e388 {
+                    phi_521_ = _e363;
+                } else {
+                    phi_521_ = _e386;
+                }
+                let _e390 = phi_521_;
+                if (_e364 > -8388608f) {
+                    let _e402 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
+                    if (_e402 > _e364) {
+                        phi_541_ = 1f;
                     } else {
-                        phi_454_ = f32();
-                        phi_455_ = true;
+                        phi_541_ = 0f;
                     }
-                    let _e321 = phi_454_;
-                    let _e323 = phi_455_;
-                    phi_456_ = _e321;
-                    phi_457_ = _e323;
+                    let _e405 = phi_541_;
+                    if (_e364 < 8388608f) {
+                        phi_546_ = (_e402 - _e405);
+                        phi_547_ = false;
+                    } else {
+                        phi_546_ = f32();
+                        phi_547_ = true;
+                    }
+                    let _e408 = phi_546_;
+                    let _e410 = phi_547_;
+                    phi_548_ = _e408;
+                    phi_549_ = _e410;
                 } else {
-                    phi_456_ = f32();
-                    phi_457_ = true;
+                    phi_548_ = f32();
+                    phi_549_ = true;
                 }
-                let _e325 = phi_456_;
-                let _e327 = phi_457_;
-                if _e327 {
-                    phi_461_ = _e277;
+                let _e412 = phi_548_;
+                let _e414 = phi_549_;
+                if _e414 {
+                    phi_553_ = _e364;
                 } else {
-                    phi_461_ = _e325;
+                    phi_553_ = _e412;
                 }
-                let _e329 = phi_461_;
-                let _e330 = (_e276 - _e303);
-                let _e331 = (_e277 - _e329);
-                let _e340 = select(0i, select(select(i32(_e303), i32(-2147483648), (_e303 < bitcast<f32>(3472883712u))), 2147483647i, (_e303 > bitcast<f32>(1325400063u))), (_e303 == _e303));
-                let _e349 = select(0i, select(select(i32(_e329), i32(-2147483648), (_e329 < bitcast<f32>(3472883712u))), 2147483647i, (_e329 > bitcast<f32>(1325400063u))), (_e329 == _e329));
-                let _e360 = p.member.test;
-                let _e361 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e360);
-                let _e363 = p.member.map_size;
-                local = _e361;
-                let _e365 = (bitcast<i32>(_e363) - 1i);
-                if (_e340 > 0i) {
-                    phi_507_ = _e340;
+                let _e416 = phi_553_;
+                let _e417 = (_e363 - _e390);
+                let _e418 = (_e364 - _e416);
+                let _e427 = select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390));
+                let _e436 = select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416));
+                let _e447 = p.member.test;
+                let _e448 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e447);
+                let _e450 = p.member.map_size;
+                local = _e448;
+                let _e452 = (bitcast<i32>(_e450) - 1i);
+                if (_e427 > 0i) {
+                    phi_599_ = _e427;
                 } else {
-                    phi_507_ = 0i;
+                    phi_599_ = 0i;
                 }
-                let _e368 = phi_507_;
-                if (_e349 > 0i) {
-                    phi_512_ = _e349;
+                let _e455 = phi_599_;
+                if (_e436 > 0i) {
+                    phi_604_ = _e436;
                 } else {
-                    phi_512_ = 0i;
+                    phi_604_ = 0i;
                 }
-                let _e371 = phi_512_;
-                if (_e368 < _e365) {
-                    phi_517_ = _e368;
+                let _e458 = phi_604_;
+                if (_e455 < _e452) {
+                    phi_609_ = _e455;
                 } else {
-                    phi_517_ = _e365;
+                    phi_609_ = _e452;
                 }
-                let _e374 = phi_517_;
-                if (_e371 < _e365) {
-                    phi_522_ = _e371;
+                let _e461 = phi_609_;
+                if (_e458 < _e452) {
+                    phi_614_ = _e458;
                 } else {
-                    phi_522_ = _e365;
+                    phi_614_ = _e452;
                 }
-                let _e377 = phi_522_;
-                let _e378 = bitcast<u32>(_e374);
-                let _e380 = (_e340 + 1i);
-                let _e381 = (_e349 + 1i);
-                if (_e380 > 0i) {
-                    phi_531_ = _e380;
+                let _e464 = phi_614_;
+                let _e465 = bitcast<u32>(_e461);
+                let _e467 = (_e427 + 1i);
+                let _e468 = (_e436 + 1i);
+                if (_e467 > 0i) {
+                    phi_623_ = _e467;
                 } else {
-                    phi_531_ = 0i;
+                    phi_623_ = 0i;
                 }
-                let _e384 = phi_531_;
-                if (_e381 > 0i) {
-                    phi_536_ = _e381;
+                let _e471 = phi_623_;
+                if (_e468 > 0i) {
+                    phi_628_ = _e468;
                 } else {
-                    phi_536_ = 0i;
+                    phi_628_ = 0i;
                 }
-                let _e387 = phi_536_;
-                if (_e384 < _e365) {
-                    phi_541_ = _e384;
+                let _e474 = phi_628_;
+                if (_e471 < _e452) {
+                    phi_633_ = _e471;
                 } else {
-                    phi_541_ = _e365;
+                    phi_633_ = _e452;
                 }
-                let _e390 = phi_541_;
-                if (_e387 < _e365) {
-                    phi_546_ = _e387;
+                let _e477 = phi_633_;
+                if (_e474 < _e452) {
+                    phi_638_ = _e474;
                 } else {
-                    phi_546_ = _e365;
+                    phi_638_ = _e452;
                 }
-                let _e393 = phi_546_;
-                let _e394 = bitcast<u32>(_e390);
-                let _e396 = (bitcast<u32>(_e377) * _e363);
-                let _e397 = (bitcast<u32>(_e393) * _e363);
-                let _e398 = (_e396 + _e378);
-                let _e399 = (_e396 + _e394);
-                let _e400 = (_e397 + _e378);
-                let _e401 = (_e397 + _e394);
-                if (_e398 < _e53) {
+                let _e480 = phi_638_;
+                let _e481 = bitcast<u32>(_e477);
+                let _e483 = (bitcast<u32>(_e464) * _e450);
+                let _e484 = (bitcast<u32>(_e480) * _e450);
+                let _e485 = (_e483 + _e465);
+                let _e486 = (_e483 + _e481);
+                let _e487 = (_e484 + _e465);
+                let _e488 = (_e484 + _e481);
+                if (_e485 < _e54) {
                 } else {
                     return;
                 }
-                let _e405 = map.member[(0u + _e398)];
-                if (_e399 < _e53) {
+                let _e492 = map.member[(0u + _e485)];
+                if (_e486 < _e54) {
                 } else {
                     return;
                 }
-                let _e409 = map.member[(0u + _e399)];
-                if (_e400 < _e53) {
+                let _e496 = map.member[(0u + _e486)];
+                if (_e487 < _e54) {
                 } else {
                     return;
                 }
-                let _e413 = map.member[(0u + _e400)];
-                if (_e401 < _e53) {
+                let _e500 = map.member[(0u + _e487)];
+                if (_e488 < _e54) {
                 } else {
                     return;
                 }
-                let _e417 = map.member[(0u + _e401)];
-                let _e419 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e405, _e409, _e413, _e417), vec4<f32>(((1f - _e330) * (1f - _e331)), (_e330 * (1f - _e331)), ((1f - _e330) * _e331), (_e330 * _e331)), _e243);
-                phi_587_ = evaluate_Verdict(_e419, false);
-                phi_588_ = evaluate_Verdict();
-                phi_589_ = false;
+                let _e504 = map.member[(0u + _e488)];
+                let _e506 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e492, _e496, _e500, _e504), vec4<f32>(((1f - _e417) * (1f - _e418)), (_e417 * (1f - _e418)), ((1f - _e417) * _e418), (_e417 * _e418)), _e357);
+                phi_679_ = evaluate_Verdict(_e506, false);
+                phi_680_ = evaluate_Verdict();
+                phi_681_ = false;
             } else {
-                phi_587_ = evaluate_Verdict();
-                phi_588_ = evaluate_Verdict(1f, false);
-                phi_589_ = true;
+                phi_679_ = evaluate_Verdict();
+                phi_680_ = evaluate_Verdict(1f, false);
+                phi_681_ = true;
             }
-            let _e423 = phi_587_;
-            let _e425 = phi_588_;
-            let _e427 = phi_589_;
-            phi_590_ = _e425;
-            phi_591_ = _e423;
-            phi_592_ = _e427;
+            let _e510 = phi_679_;
+            let _e512 = phi_680_;
+            let _e514 = phi_681_;
+            phi_682_ = _e512;
+            phi_683_ = _e510;
+            phi_684_ = _e514;
         }
-        let _e429 = phi_590_;
-        let _e431 = phi_591_;
-        let _e433 = phi_592_;
-        if _e433 {
-            phi_596_ = _e429;
+        let _e516 = phi_682_;
+        let _e518 = phi_683_;
+        let _e520 = phi_684_;
+        if _e520 {
+            phi_688_ = _e516;
         } else {
-            phi_596_ = _e431;
+            phi_688_ = _e518;
         }
-        let _e435 = phi_596_;
-        if (_e62.first_primitive < arrayLength((&visibility.member))) {
+        let _e522 = phi_688_;
+        if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e62.first_primitive)] = _e435.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e522.visibility;
     }
     return;
 }

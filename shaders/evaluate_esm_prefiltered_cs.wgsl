@@ -70,37 +70,37 @@ var<storage, read_write> visibility: type_22;
 var<storage> map: type_30;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_139_: lt_bvh_traverse_Tree;
-    var phi_140_: bool;
     var phi_141_: lt_bvh_traverse_Tree;
     var phi_142_: bool;
-    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_143_: lt_bvh_traverse_Tree;
+    var phi_144_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_139_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_140_ = false;
+            phi_141_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_142_ = false;
         } else {
-            phi_139_ = lt_bvh_traverse_Tree();
-            phi_140_ = true;
+            phi_141_ = lt_bvh_traverse_Tree();
+            phi_142_ = true;
         }
-        let _e58 = phi_139_;
-        let _e60 = phi_140_;
-        phi_141_ = _e58;
-        phi_142_ = _e60;
+        let _e59 = phi_141_;
+        let _e61 = phi_142_;
+        phi_143_ = _e59;
+        phi_144_ = _e61;
     } else {
-        phi_141_ = lt_bvh_traverse_Tree();
-        phi_142_ = true;
+        phi_143_ = lt_bvh_traverse_Tree();
+        phi_144_ = true;
     }
-    let _e62 = phi_141_;
-    let _e64 = phi_142_;
-    if _e64 {
-        phi_147_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e63 = phi_143_;
+    let _e65 = phi_144_;
+    if _e65 {
+        phi_149_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_147_ = _e62;
+        phi_149_ = _e63;
     }
-    let _e69 = phi_147_;
-    return lt_bvh_traverse_Tree(_e69.root, _e69.first_primitive);
+    let _e70 = phi_149_;
+    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -108,500 +108,520 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_167_: bool;
-    var phi_171_: f32;
+    var phi_169_: bool;
+    var phi_173_: f32;
 
-    let _e46 = (*param_4);
+    let _e47 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_167_ = true;
+        phi_169_ = true;
     } else {
-        let _e50 = (84f < _e46);
-        if _e50 {
+        let _e51 = (84f < _e47);
+        if _e51 {
         }
-        phi_167_ = _e50;
+        phi_169_ = _e51;
     }
-    let _e52 = phi_167_;
-    if _e52 {
-        phi_171_ = 84f;
+    let _e53 = phi_169_;
+    if _e53 {
+        phi_173_ = 84f;
     } else {
-        phi_171_ = _e46;
+        phi_173_ = _e47;
     }
-    let _e54 = phi_171_;
-    return _e54;
+    let _e55 = phi_173_;
+    return _e55;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_670_: f32;
-    var phi_671_: f32;
-    var phi_672_: f32;
-    var phi_687_: f32;
-    var phi_692_: f32;
-    var phi_714_: f32;
-    var phi_719_: f32;
-    var phi_720_: bool;
-    var phi_721_: f32;
-    var phi_722_: bool;
-    var phi_726_: f32;
+    var phi_762_: f32;
+    var phi_763_: f32;
     var phi_764_: f32;
-    var phi_780_: f32;
-    var phi_781_: f32;
-    var phi_782_: f32;
+    var phi_779_: f32;
+    var phi_784_: f32;
+    var phi_806_: f32;
+    var phi_811_: f32;
+    var phi_812_: bool;
+    var phi_813_: f32;
+    var phi_814_: bool;
+    var phi_818_: f32;
+    var phi_856_: f32;
+    var phi_872_: f32;
+    var phi_873_: f32;
+    var phi_874_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_672_ = param_7;
+        phi_764_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_671_ = 0f;
+            phi_763_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_670_ = 1f;
+                phi_762_ = 1f;
             } else {
-                phi_670_ = param_7;
+                phi_762_ = param_7;
             }
-            let _e54 = phi_670_;
-            phi_671_ = _e54;
+            let _e55 = phi_762_;
+            phi_763_ = _e55;
         }
-        let _e56 = phi_671_;
-        phi_672_ = _e56;
+        let _e57 = phi_763_;
+        phi_764_ = _e57;
     }
-    let _e58 = phi_672_;
-    let _e60 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    let _e62 = (_e60 * (1f - _e58));
-    if ((bitcast<u32>(_e62) & 2147483647u) > 2139095040u) {
-        phi_764_ = _e62;
+    let _e59 = phi_764_;
+    let _e61 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    let _e63 = (_e61 * (1f - _e59));
+    if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
+        phi_856_ = _e63;
     } else {
-        if (_e62 < -87f) {
-            phi_687_ = -87f;
+        if (_e63 < -87f) {
+            phi_779_ = -87f;
         } else {
-            phi_687_ = _e62;
+            phi_779_ = _e63;
         }
-        let _e68 = phi_687_;
-        if (_e68 > 88f) {
-            phi_692_ = 88f;
+        let _e69 = phi_779_;
+        if (_e69 > 88f) {
+            phi_784_ = 88f;
         } else {
-            phi_692_ = _e68;
+            phi_784_ = _e69;
         }
-        let _e71 = phi_692_;
-        let _e73 = ((_e71 * 1.442695f) + 0.5f);
-        if (_e73 > -8388608f) {
-            let _e85 = f32(select(0i, select(select(i32(_e73), i32(-2147483648), (_e73 < bitcast<f32>(3472883712u))), 2147483647i, (_e73 > bitcast<f32>(1325400063u))), (_e73 == _e73)));
-            if (_e85 > _e73) {
-                phi_714_ = 1f;
+        let _e72 = phi_784_;
+        let _e74 = ((_e72 * 1.442695f) + 0.5f);
+        if (_e74 > -8388608f) {
+            let _e86 = f32(select(0i, select(select(i32(_e74), i32(-2147483648), (_e74 < bitcast<f32>(3472883712u))), 2147483647i, (_e74 > bitcast<f32>(1325400063u))), (_e74 == _e74)));
+            if (_e86 > _e74) {
+                phi_806_ = 1f;
             } else {
-                phi_714_ = 0f;
+                phi_806_ = 0f;
             }
-            let _e88 = phi_714_;
-            if (_e73 < 8388608f) {
-                phi_719_ = (_e85 - _e88);
-                phi_720_ = false;
+            let _e89 = phi_806_;
+            if (_e74 < 8388608f) {
+                phi_811_ = (_e86 - _e89);
+                phi_812_ = false;
             } else {
-                phi_719_ = f32();
-                phi_720_ = true;
+                phi_811_ = f32();
+                phi_812_ = true;
             }
-            let _e91 = phi_719_;
-            let _e93 = phi_720_;
-            phi_721_ = _e91;
-            phi_722_ = _e93;
+            let _e92 = phi_811_;
+            let _e94 = phi_812_;
+            phi_813_ = _e92;
+            phi_814_ = _e94;
         } else {
-            phi_721_ = f32();
-            phi_722_ = true;
+            phi_813_ = f32();
+            phi_814_ = true;
         }
-        let _e95 = phi_721_;
-        let _e97 = phi_722_;
-        if _e97 {
-            phi_726_ = _e73;
+        let _e96 = phi_813_;
+        let _e98 = phi_814_;
+        if _e98 {
+            phi_818_ = _e74;
         } else {
-            phi_726_ = _e95;
+            phi_818_ = _e96;
         }
-        let _e99 = phi_726_;
-        let _e103 = ((_e71 - (_e99 * 0.69314575f)) - (_e99 * 0.0000014286068f));
-        phi_764_ = ((((((((((((((((1f / 5040f) * _e103) + (1f / 720f)) * _e103) + (1f / 120f)) * _e103) + (1f / 24f)) * _e103) + (1f / 6f)) * _e103) + 0.5f) * _e103) + 1f) * _e103) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e99), i32(-2147483648), (_e99 < bitcast<f32>(3472883712u))), 2147483647i, (_e99 > bitcast<f32>(1325400063u))), (_e99 == _e99)) + 127i)) << bitcast<u32>(23i))));
+        let _e100 = phi_818_;
+        let _e104 = ((_e72 - (_e100 * 0.69314575f)) - (_e100 * 0.0000014286068f));
+        phi_856_ = ((((((((((((((((1f / 5040f) * _e104) + (1f / 720f)) * _e104) + (1f / 120f)) * _e104) + (1f / 24f)) * _e104) + (1f / 6f)) * _e104) + 0.5f) * _e104) + 1f) * _e104) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < bitcast<f32>(3472883712u))), 2147483647i, (_e100 > bitcast<f32>(1325400063u))), (_e100 == _e100)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e139 = phi_764_;
-    let _e140 = (param_6.x * _e139);
-    if ((bitcast<u32>(_e140) & 2147483647u) > 2139095040u) {
-        phi_782_ = _e140;
+    let _e140 = phi_856_;
+    let _e141 = (param_6.x * _e140);
+    if ((bitcast<u32>(_e141) & 2147483647u) > 2139095040u) {
+        phi_874_ = _e141;
     } else {
-        if (_e140 < 0f) {
-            phi_781_ = 0f;
+        if (_e141 < 0f) {
+            phi_873_ = 0f;
         } else {
-            if (_e140 > 1f) {
-                phi_780_ = 1f;
+            if (_e141 > 1f) {
+                phi_872_ = 1f;
             } else {
-                phi_780_ = _e140;
+                phi_872_ = _e141;
             }
-            let _e147 = phi_780_;
-            phi_781_ = _e147;
+            let _e148 = phi_872_;
+            phi_873_ = _e148;
         }
-        let _e149 = phi_781_;
-        phi_782_ = _e149;
+        let _e150 = phi_873_;
+        phi_874_ = _e150;
     }
-    let _e151 = phi_782_;
-    return _e151;
+    let _e152 = phi_874_;
+    return _e152;
 }
 
 fn function_() {
     var local: f32;
-    var phi_225_: bool;
-    var phi_226_: bool;
     var phi_227_: bool;
     var phi_228_: bool;
-    var phi_232_: bool;
-    var phi_276_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_280_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_357_: bool;
-    var phi_366_: bool;
-    var phi_375_: bool;
-    var phi_376_: bool;
+    var phi_229_: bool;
+    var phi_230_: bool;
+    var phi_234_: bool;
+    var phi_278_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_282_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_359_: bool;
+    var phi_368_: bool;
     var phi_377_: bool;
     var phi_378_: bool;
     var phi_379_: bool;
     var phi_380_: bool;
     var phi_381_: bool;
-    var phi_385_: bool;
-    var phi_421_: f32;
-    var phi_426_: f32;
-    var phi_427_: bool;
-    var phi_428_: f32;
-    var phi_429_: bool;
-    var phi_433_: f32;
-    var phi_453_: f32;
-    var phi_458_: f32;
-    var phi_459_: bool;
-    var phi_460_: f32;
-    var phi_461_: bool;
-    var phi_465_: f32;
-    var phi_511_: i32;
-    var phi_516_: i32;
-    var phi_521_: i32;
-    var phi_526_: i32;
-    var phi_535_: i32;
-    var phi_540_: i32;
-    var phi_545_: i32;
-    var phi_550_: i32;
-    var phi_635_: evaluate_Verdict;
-    var phi_636_: evaluate_Verdict;
-    var phi_637_: bool;
-    var phi_638_: evaluate_Verdict;
-    var phi_639_: evaluate_Verdict;
-    var phi_640_: bool;
-    var phi_644_: evaluate_Verdict;
+    var phi_382_: bool;
+    var phi_383_: bool;
+    var phi_387_: bool;
+    var phi_481_: f32;
+    var phi_484_: f32;
+    var phi_513_: f32;
+    var phi_518_: f32;
+    var phi_519_: bool;
+    var phi_520_: f32;
+    var phi_521_: bool;
+    var phi_525_: f32;
+    var phi_545_: f32;
+    var phi_550_: f32;
+    var phi_551_: bool;
+    var phi_552_: f32;
+    var phi_553_: bool;
+    var phi_557_: f32;
+    var phi_603_: i32;
+    var phi_608_: i32;
+    var phi_613_: i32;
+    var phi_618_: i32;
+    var phi_627_: i32;
+    var phi_632_: i32;
+    var phi_637_: i32;
+    var phi_642_: i32;
+    var phi_727_: evaluate_Verdict;
+    var phi_728_: evaluate_Verdict;
+    var phi_729_: bool;
+    var phi_730_: evaluate_Verdict;
+    var phi_731_: evaluate_Verdict;
+    var phi_732_: bool;
+    var phi_736_: evaluate_Verdict;
 
-    let _e46 = id_1;
-    let _e53 = arrayLength((&map.member));
-    let _e59 = p.member.size[0u];
-    let _e61 = p.member.size[1u];
-    let _e62 = lt_shaders_entry_pixel_index(_e46, _e59, _e61);
-    if (bitcast<i32>(_e62.root) != 0i) {
-        if (_e62.first_primitive < arrayLength((&samples.member))) {
+    let _e47 = id_1;
+    let _e54 = arrayLength((&map.member));
+    let _e60 = p.member.size[0u];
+    let _e62 = p.member.size[1u];
+    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
+    if (bitcast<i32>(_e63.root) != 0i) {
+        if (_e63.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e71 = p.member.light;
-        let _e74 = samples.member[(0u + _e62.first_primitive)].normal[0u];
-        let _e76 = global[0u];
-        if (_e74 == _e76) {
-            let _e79 = samples.member[(0u + _e62.first_primitive)].normal[1u];
-            let _e81 = global[1u];
-            if (_e79 == _e81) {
-                let _e84 = samples.member[(0u + _e62.first_primitive)].normal[2u];
-                let _e86 = global[2u];
-                phi_225_ = (_e84 == _e86);
-                phi_226_ = false;
+        let _e72 = p.member.light;
+        let _e75 = samples.member[(0u + _e63.first_primitive)].normal[0u];
+        let _e77 = global[0u];
+        if (_e75 == _e77) {
+            let _e80 = samples.member[(0u + _e63.first_primitive)].normal[1u];
+            let _e82 = global[1u];
+            if (_e80 == _e82) {
+                let _e85 = samples.member[(0u + _e63.first_primitive)].normal[2u];
+                let _e87 = global[2u];
+                phi_227_ = (_e85 == _e87);
+                phi_228_ = false;
             } else {
-                phi_225_ = bool();
-                phi_226_ = true;
+                phi_227_ = bool();
+                phi_228_ = true;
             }
-            let _e89 = phi_225_;
-            let _e91 = phi_226_;
-            phi_227_ = _e89;
-            phi_228_ = _e91;
+            let _e90 = phi_227_;
+            let _e92 = phi_228_;
+            phi_229_ = _e90;
+            phi_230_ = _e92;
         } else {
-            phi_227_ = bool();
-            phi_228_ = true;
+            phi_229_ = bool();
+            phi_230_ = true;
         }
-        let _e93 = phi_227_;
-        let _e95 = phi_228_;
-        if _e95 {
-            phi_232_ = false;
+        let _e94 = phi_229_;
+        let _e96 = phi_230_;
+        if _e96 {
+            phi_234_ = false;
         } else {
-            phi_232_ = _e93;
+            phi_234_ = _e94;
         }
-        let _e97 = phi_232_;
-        if !(_e97) {
-            let _e100 = samples.member[(0u + _e62.first_primitive)].normal;
-            let _e102 = samples.member[(0u + _e62.first_primitive)].position;
-            if ((((_e100.x * (_e71.x - (_e102.x * _e71.w))) + (_e100.y * (_e71.y - (_e102.y * _e71.w)))) + (_e100.z * (_e71.z - (_e102.z * _e71.w)))) > 0f) {
-                let _e126 = samples.member[(0u + _e62.first_primitive)].flags;
-                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e134.unnamed.visibility, false), _e134.unnamed_1);
-                phi_276_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e140.unnamed, ((_e126 & 1u) == 0u));
+        let _e98 = phi_234_;
+        if !(_e98) {
+            let _e101 = samples.member[(0u + _e63.first_primitive)].normal;
+            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
+            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
+                let _e127 = samples.member[(0u + _e63.first_primitive)].flags;
+                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
+                phi_278_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
             } else {
-                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e149.unnamed.visibility, false), _e149.unnamed_1);
-                phi_276_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e155.unnamed, true);
+                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
+                phi_278_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
             }
-            let _e160 = phi_276_;
-            phi_280_ = _e160;
+            let _e161 = phi_278_;
+            phi_282_ = _e161;
         } else {
-            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e166.unnamed.visibility, false), _e166.unnamed_1);
-            phi_280_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e172.unnamed, true);
+            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
+            phi_282_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
         }
-        let _e177 = phi_280_;
-        if _e177.unnamed_1 {
-            phi_638_ = evaluate_Verdict(_e177.unnamed.visibility, _e177.unnamed.is_doubted);
-            phi_639_ = evaluate_Verdict();
-            phi_640_ = true;
+        let _e178 = phi_282_;
+        if _e178.unnamed_1 {
+            phi_730_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
+            phi_731_ = evaluate_Verdict();
+            phi_732_ = true;
         } else {
-            let _e185 = samples.member[(0u + _e62.first_primitive)].position;
-            let _e191 = p.member.projection.row_w;
-            let _e202 = ((((_e191.x * _e185.x) + (_e191.y * _e185.y)) + (_e191.z * _e185.z)) + (_e191.w * 1f));
-            let _e204 = p.member.projection.row_x;
-            let _e216 = (((((_e204.x * _e185.x) + (_e204.y * _e185.y)) + (_e204.z * _e185.z)) + (_e204.w * 1f)) / _e202);
-            let _e218 = p.member.projection.row_y;
-            let _e230 = (((((_e218.x * _e185.x) + (_e218.y * _e185.y)) + (_e218.z * _e185.z)) + (_e218.w * 1f)) / _e202);
-            let _e232 = p.member.projection.row_z;
-            let _e243 = ((((_e232.x * _e185.x) + (_e232.y * _e185.y)) + (_e232.z * _e185.z)) + (_e232.w * 1f));
-            if (_e202 > 0f) {
-                if (_e216 >= 0f) {
-                    phi_357_ = (_e216 <= 1f);
+            let _e186 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e192 = p.member.projection.row_w;
+            let _e203 = ((((_e192.x * _e186.x) + (_e192.y * _e186.y)) + (_e192.z * _e186.z)) + (_e192.w * 1f));
+            let _e205 = p.member.projection.row_x;
+            let _e217 = (((((_e205.x * _e186.x) + (_e205.y * _e186.y)) + (_e205.z * _e186.z)) + (_e205.w * 1f)) / _e203);
+            let _e219 = p.member.projection.row_y;
+            let _e231 = (((((_e219.x * _e186.x) + (_e219.y * _e186.y)) + (_e219.z * _e186.z)) + (_e219.w * 1f)) / _e203);
+            let _e233 = p.member.projection.row_z;
+            let _e244 = ((((_e233.x * _e186.x) + (_e233.y * _e186.y)) + (_e233.z * _e186.z)) + (_e233.w * 1f));
+            if (_e203 > 0f) {
+                if (_e217 >= 0f) {
+                    phi_359_ = (_e217 <= 1f);
                 } else {
-                    phi_357_ = false;
+                    phi_359_ = false;
                 }
-                let _e248 = phi_357_;
-                if _e248 {
-                    if (_e230 >= 0f) {
-                        phi_366_ = (_e230 <= 1f);
+                let _e249 = phi_359_;
+                if _e249 {
+                    if (_e231 >= 0f) {
+                        phi_368_ = (_e231 <= 1f);
                     } else {
-                        phi_366_ = false;
+                        phi_368_ = false;
                     }
-                    let _e252 = phi_366_;
-                    if _e252 {
-                        if (_e243 >= 0f) {
-                            phi_375_ = (_e243 <= 1f);
+                    let _e253 = phi_368_;
+                    if _e253 {
+                        if (_e244 >= 0f) {
+                            phi_377_ = (_e244 <= 1f);
                         } else {
-                            phi_375_ = false;
+                            phi_377_ = false;
                         }
-                        let _e256 = phi_375_;
-                        phi_376_ = _e256;
-                        phi_377_ = false;
+                        let _e257 = phi_377_;
+                        phi_378_ = _e257;
+                        phi_379_ = false;
                     } else {
-                        phi_376_ = bool();
-                        phi_377_ = true;
+                        phi_378_ = bool();
+                        phi_379_ = true;
                     }
-                    let _e258 = phi_376_;
-                    let _e260 = phi_377_;
-                    phi_378_ = _e258;
-                    phi_379_ = _e260;
+                    let _e259 = phi_378_;
+                    let _e261 = phi_379_;
+                    phi_380_ = _e259;
+                    phi_381_ = _e261;
                 } else {
-                    phi_378_ = bool();
-                    phi_379_ = true;
+                    phi_380_ = bool();
+                    phi_381_ = true;
                 }
-                let _e262 = phi_378_;
-                let _e264 = phi_379_;
-                phi_380_ = _e262;
-                phi_381_ = _e264;
+                let _e263 = phi_380_;
+                let _e265 = phi_381_;
+                phi_382_ = _e263;
+                phi_383_ = _e265;
             } else {
-                phi_380_ = bool();
-                phi_381_ = true;
+                phi_382_ = bool();
+                phi_383_ = true;
             }
-            let _e266 = phi_380_;
-            let _e268 = phi_381_;
-            if _e268 {
-                phi_385_ = false;
+            let _e267 = phi_382_;
+            let _e269 = phi_383_;
+            if _e269 {
+                phi_387_ = false;
             } else {
-                phi_385_ = _e266;
+                phi_387_ = _e267;
             }
-            let _e270 = phi_385_;
-            if _e270 {
-                let _e272 = p.member.map_size;
-                let _e273 = f32(_e272);
-                let _e276 = ((_e216 * _e273) - 0.5f);
-                let _e277 = ((_e230 * _e273) - 0.5f);
-                if (_e276 > -8388608f) {
-                    let _e289 = f32(select(0i, select(select(i32(_e276), i32(-2147483648), (_e276 < bitcast<f32>(3472883712u))), 2147483647i, (_e276 > bitcast<f32>(1325400063u))), (_e276 == _e276)));
-                    if (_e289 > _e276) {
-                        phi_421_ = 1f;
+            let _e271 = phi_387_;
+            if _e271 {
+                if (0f > 0f) {
+                    let _e274 = samples.member[(0u + _e63.first_primitive)].normal;
+                    let _e276 = p.member.map_size;
+                    let _e279 = p.member.projection.row_x;
+                    let _e301 = p.member.projection.row_y;
+                    let _e323 = p.member.projection.row_z;
+                    let _e350 = ((abs(((((_e279.x * _e274.x) + (_e279.y * _e274.y)) + (_e279.z * _e274.z)) / (((_e279.x * _e279.x) + (_e279.y * _e279.y)) + (_e279.z * _e279.z)))) + abs(((((_e301.x * _e274.x) + (_e301.y * _e274.y)) + (_e301.z * _e274.z)) / (((_e301.x * _e301.x) + (_e301.y * _e301.y)) + (_e301.z * _e301.z))))) / (abs(((((_e323.x * _e274.x) + (_e323.y * _e274.y)) + (_e323.z * _e274.z)) / (((_e323.x * _e323.x) + (_e323.y * _e323.y)) + (_e323.z * _e323.z)))) * f32(_e276)));
+                    if (_e350 < 0.002f) {
+                        phi_481_ = _e350;
                     } else {
-                        phi_421_ = 0f;
+                        phi_481_ = 0.002f;
                     }
-                    let _e292 = phi_421_;
-                    if (_e276 < 8388608f) {
-                        phi_426_ = (_e289 - _e292);
-                        phi_427_ = false;
+                    let _e353 = phi_481_;
+                    phi_484_ = (_e244 - (0f * _e353));
+                } else {
+                    phi_484_ = _e244;
+                }
+                let _e357 = phi_484_;
+                let _e359 = p.member.map_size;
+                let _e360 = f32(_e359);
+                let _e363 = ((_e217 * _e360) - 0.5f);
+                let _e364 = ((_e231 * _e360) - 0.5f);
+                if (_e363 > -8388608f) {
+                    let _e376 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
+                    if (_e376 > _e363) {
+                        phi_513_ = 1f;
                     } else {
-                        phi_426_ = f32();
-                        phi_427_ = true;
+                        phi_513_ = 0f;
                     }
-                    let _e295 = phi_426_;
-                    let _e297 = phi_427_;
-                    phi_428_ = _e295;
-                    phi_429_ = _e297;
-                } else {
-                    phi_428_ = f32();
-                    phi_429_ = true;
-                }
-                let _e299 = phi_428_;
-                let _e301 = phi_429_;
-                if _e301 {
-                    phi_433_ = _e276;
-                } else {
-                    phi_433_ = _e299;
-                }
-                let _e303 = phi_433_;
-                if (_e277 > -8388608f) {
-                    let _e315 = f32(select(0i, select(select(i32(_e277), i32(-2147483648), (_e277 < bitcast<f32>(3472883712u))), 2147483647i, (_e277 > bitcast<f32>(1325400063u))), (_e277 == _e277)));
-                    if (_e315 > _e277) {
-                        phi_453_ = 1f;
+                    let _e379 = phi_513_;
+                    if (_e363 < 8388608f) {
+                        phi_518_ = (_e376 - _e379);
+                        phi_519_ = false;
                     } else {
-                        phi_453_ = 0f;
+                        phi_518_ = f32();
+                        phi_519_ = true;
                     }
-                    let _e318 = phi_453_;
-                    if (_e277 < 8388608f) {
-                        phi_458_ = (_e315 - _e318);
-                        phi_459_ = false;
+                    let _e382 = phi_518_;
+                    let _e384 = phi_519_;
+                    phi_520_ = _e382;
+                    phi_521_ = _e384;
+                } else {
+                    phi_520_ = f32();
+                    phi_521_ = true;
+                }
+                let _e386 = phi_520_;
+                let _e388 = phi_521_;
+                if _e388 {
+                    phi_525_ = _e363;
+                } else {
+                    phi_525_ = _e386;
+                }
+                let _e390 = phi_525_;
+                if (_e364 > -8388608f) {
+                    let _e402 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
+                    if (_e402 > _e364) {
+                        phi_545_ = 1f;
                     } else {
-                        phi_458_ = f32();
-                        phi_459_ = true;
+                        phi_545_ = 0f;
                     }
-                    let _e321 = phi_458_;
-                    let _e323 = phi_459_;
-                    phi_460_ = _e321;
-                    phi_461_ = _e323;
+                    let _e405 = phi_545_;
+                    if (_e364 < 8388608f) {
+                        phi_550_ = (_e402 - _e405);
+                        phi_551_ = false;
+                    } else {
+                        phi_550_ = f32();
+                        phi_551_ = true;
+                    }
+                    let _e408 = phi_550_;
+                    let _e410 = phi_551_;
+                    phi_552_ = _e408;
+                    phi_553_ = _e410;
                 } else {
-                    phi_460_ = f32();
-                    phi_461_ = true;
+                    phi_552_ = f32();
+                    phi_553_ = true;
                 }
-                let _e325 = phi_460_;
-                let _e327 = phi_461_;
-                if _e327 {
-                    phi_465_ = _e277;
+                let _e412 = phi_552_;
+                let _e414 = phi_553_;
+                if _e414 {
+                    phi_557_ = _e364;
                 } else {
-                    phi_465_ = _e325;
+                    phi_557_ = _e412;
                 }
-                let _e329 = phi_465_;
-                let _e330 = (_e276 - _e303);
-                let _e331 = (_e277 - _e329);
-                let _e340 = select(0i, select(select(i32(_e303), i32(-2147483648), (_e303 < bitcast<f32>(3472883712u))), 2147483647i, (_e303 > bitcast<f32>(1325400063u))), (_e303 == _e303));
-                let _e349 = select(0i, select(select(i32(_e329), i32(-2147483648), (_e329 < bitcast<f32>(3472883712u))), 2147483647i, (_e329 > bitcast<f32>(1325400063u))), (_e329 == _e329));
-                let _e352 = ((1f - _e330) * (1f - _e331));
-                let _e354 = (_e330 * (1f - _e331));
-                let _e356 = ((1f - _e330) * _e331);
-                let _e357 = (_e330 * _e331);
-                let _e359 = p.member.test;
-                let _e360 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e359);
-                let _e362 = p.member.map_size;
-                local = _e360;
-                let _e364 = (bitcast<i32>(_e362) - 1i);
-                if (_e340 > 0i) {
-                    phi_511_ = _e340;
+                let _e416 = phi_557_;
+                let _e417 = (_e363 - _e390);
+                let _e418 = (_e364 - _e416);
+                let _e427 = select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390));
+                let _e436 = select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416));
+                let _e439 = ((1f - _e417) * (1f - _e418));
+                let _e441 = (_e417 * (1f - _e418));
+                let _e443 = ((1f - _e417) * _e418);
+                let _e444 = (_e417 * _e418);
+                let _e446 = p.member.test;
+                let _e447 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e446);
+                let _e449 = p.member.map_size;
+                local = _e447;
+                let _e451 = (bitcast<i32>(_e449) - 1i);
+                if (_e427 > 0i) {
+                    phi_603_ = _e427;
                 } else {
-                    phi_511_ = 0i;
+                    phi_603_ = 0i;
                 }
-                let _e367 = phi_511_;
-                if (_e349 > 0i) {
-                    phi_516_ = _e349;
+                let _e454 = phi_603_;
+                if (_e436 > 0i) {
+                    phi_608_ = _e436;
                 } else {
-                    phi_516_ = 0i;
+                    phi_608_ = 0i;
                 }
-                let _e370 = phi_516_;
-                if (_e367 < _e364) {
-                    phi_521_ = _e367;
+                let _e457 = phi_608_;
+                if (_e454 < _e451) {
+                    phi_613_ = _e454;
                 } else {
-                    phi_521_ = _e364;
+                    phi_613_ = _e451;
                 }
-                let _e373 = phi_521_;
-                if (_e370 < _e364) {
-                    phi_526_ = _e370;
+                let _e460 = phi_613_;
+                if (_e457 < _e451) {
+                    phi_618_ = _e457;
                 } else {
-                    phi_526_ = _e364;
+                    phi_618_ = _e451;
                 }
-                let _e376 = phi_526_;
-                let _e377 = bitcast<u32>(_e373);
-                let _e379 = (_e340 + 1i);
-                let _e380 = (_e349 + 1i);
-                if (_e379 > 0i) {
-                    phi_535_ = _e379;
+                let _e463 = phi_618_;
+                let _e464 = bitcast<u32>(_e460);
+                let _e466 = (_e427 + 1i);
+                let _e467 = (_e436 + 1i);
+                if (_e466 > 0i) {
+                    phi_627_ = _e466;
                 } else {
-                    phi_535_ = 0i;
+                    phi_627_ = 0i;
                 }
-                let _e383 = phi_535_;
-                if (_e380 > 0i) {
-                    phi_540_ = _e380;
+                let _e470 = phi_627_;
+                if (_e467 > 0i) {
+                    phi_632_ = _e467;
                 } else {
-                    phi_540_ = 0i;
+                    phi_632_ = 0i;
                 }
-                let _e386 = phi_540_;
-                if (_e383 < _e364) {
-                    phi_545_ = _e383;
+                let _e473 = phi_632_;
+                if (_e470 < _e451) {
+                    phi_637_ = _e470;
                 } else {
-                    phi_545_ = _e364;
+                    phi_637_ = _e451;
                 }
-                let _e389 = phi_545_;
-                if (_e386 < _e364) {
-                    phi_550_ = _e386;
+                let _e476 = phi_637_;
+                if (_e473 < _e451) {
+                    phi_642_ = _e473;
                 } else {
-                    phi_550_ = _e364;
+                    phi_642_ = _e451;
                 }
-                let _e392 = phi_550_;
-                let _e393 = bitcast<u32>(_e389);
-                let _e395 = (bitcast<u32>(_e376) * _e362);
-                let _e396 = (bitcast<u32>(_e392) * _e362);
-                let _e397 = (_e395 + _e377);
-                let _e398 = (_e395 + _e393);
-                let _e399 = (_e396 + _e377);
-                let _e400 = (_e396 + _e393);
-                if (_e397 < _e53) {
+                let _e479 = phi_642_;
+                let _e480 = bitcast<u32>(_e476);
+                let _e482 = (bitcast<u32>(_e463) * _e449);
+                let _e483 = (bitcast<u32>(_e479) * _e449);
+                let _e484 = (_e482 + _e464);
+                let _e485 = (_e482 + _e480);
+                let _e486 = (_e483 + _e464);
+                let _e487 = (_e483 + _e480);
+                if (_e484 < _e54) {
                 } else {
                     return;
                 }
-                let _e404 = map.member[(0u + _e397)];
-                if (_e398 < _e53) {
+                let _e491 = map.member[(0u + _e484)];
+                if (_e485 < _e54) {
                 } else {
                     return;
                 }
-                let _e416 = map.member[(0u + _e398)];
-                if (_e399 < _e53) {
+                let _e503 = map.member[(0u + _e485)];
+                if (_e486 < _e54) {
                 } else {
                     return;
                 }
-                let _e432 = map.member[(0u + _e399)];
-                if (_e400 < _e53) {
+                let _e519 = map.member[(0u + _e486)];
+                if (_e487 < _e54) {
                 } else {
                     return;
                 }
-                let _e448 = map.member[(0u + _e400)];
-                let _e462 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e404.x * _e352) + (_e416.x * _e354)) + (_e432.x * _e356)) + (_e448.x * _e357)), ((((_e404.y * _e352) + (_e416.y * _e354)) + (_e432.y * _e356)) + (_e448.y * _e357)), ((((_e404.z * _e352) + (_e416.z * _e354)) + (_e432.z * _e356)) + (_e448.z * _e357)), ((((_e404.w * _e352) + (_e416.w * _e354)) + (_e432.w * _e356)) + (_e448.w * _e357))), _e243);
-                phi_635_ = evaluate_Verdict(_e462, false);
-                phi_636_ = evaluate_Verdict();
-                phi_637_ = false;
+                let _e535 = map.member[(0u + _e487)];
+                let _e549 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e491.x * _e439) + (_e503.x * _e441)) + (_e519.x * _e443)) + (_e535.x * _e444)), ((((_e491.y * _e439) + (_e503.y * _e441)) + (_e519.y * _e443)) + (_e535.y * _e444)), ((((_e491.z * _e439) + (_e503.z * _e441)) + (_e519.z * _e443)) + (_e535.z * _e444)), ((((_e491.w * _e439) + (_e503.w * _e441)) + (_e519.w * _e443)) + (_e535.w * _e444))), _e357);
+                phi_727_ = evaluate_Verdict(_e549, false);
+                phi_728_ = evaluate_Verdict();
+                phi_729_ = false;
             } else {
-                phi_635_ = evaluate_Verdict();
-                phi_636_ = evaluate_Verdict(1f, false);
-                phi_637_ = true;
+                phi_727_ = evaluate_Verdict();
+                phi_728_ = evaluate_Verdict(1f, false);
+                phi_729_ = true;
             }
-            let _e466 = phi_635_;
-            let _e468 = phi_636_;
-            let _e470 = phi_637_;
-            phi_638_ = _e468;
-            phi_639_ = _e466;
-            phi_640_ = _e470;
+            let _e553 = phi_727_;
+            let _e555 = phi_728_;
+            let _e557 = phi_729_;
+            phi_730_ = _e555;
+            phi_731_ = _e553;
+            phi_732_ = _e557;
         }
-        let _e472 = phi_638_;
-        let _e474 = phi_639_;
-        let _e476 = phi_640_;
-        if _e476 {
-            phi_644_ = _e472;
+        let _e559 = phi_730_;
+        let _e561 = phi_731_;
+        let _e563 = phi_732_;
+        if _e563 {
+            phi_736_ = _e559;
         } else {
-            phi_644_ = _e474;
+            phi_736_ = _e561;
         }
-        let _e478 = phi_644_;
-        if (_e62.first_primitive < arrayLength((&visibility.member))) {
+        let _e565 = phi_736_;
+        if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e62.first_primitive)] = _e478.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e565.visibility;
     }
     return;
 }

@@ -72,37 +72,37 @@ var<storage> map: type_21;
 var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
     var phi_145_: lt_bvh_traverse_Tree;
     var phi_146_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_153_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_144_ = false;
+            phi_145_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_146_ = false;
         } else {
-            phi_143_ = lt_bvh_traverse_Tree();
-            phi_144_ = true;
+            phi_145_ = lt_bvh_traverse_Tree();
+            phi_146_ = true;
         }
-        let _e59 = phi_143_;
-        let _e61 = phi_144_;
-        phi_145_ = _e59;
-        phi_146_ = _e61;
+        let _e60 = phi_145_;
+        let _e62 = phi_146_;
+        phi_147_ = _e60;
+        phi_148_ = _e62;
     } else {
-        phi_145_ = lt_bvh_traverse_Tree();
-        phi_146_ = true;
+        phi_147_ = lt_bvh_traverse_Tree();
+        phi_148_ = true;
     }
-    let _e63 = phi_145_;
-    let _e65 = phi_146_;
-    if _e65 {
-        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e64 = phi_147_;
+    let _e66 = phi_148_;
+    if _e66 {
+        phi_153_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_151_ = _e63;
+        phi_153_ = _e64;
     }
-    let _e70 = phi_151_;
-    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
+    let _e71 = phi_153_;
+    return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -110,1229 +110,1249 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_positive(param_4: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_175_: bool;
-    var phi_179_: f32;
+    var phi_177_: bool;
+    var phi_181_: f32;
 
-    let _e48 = (*param_4).positive_exponent;
+    let _e49 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_175_ = true;
+        phi_177_ = true;
     } else {
-        let _e52 = (42f < _e48);
-        if _e52 {
+        let _e53 = (42f < _e49);
+        if _e53 {
         }
-        phi_175_ = _e52;
+        phi_177_ = _e53;
     }
-    let _e54 = phi_175_;
-    if _e54 {
-        phi_179_ = 42f;
+    let _e55 = phi_177_;
+    if _e55 {
+        phi_181_ = 42f;
     } else {
-        phi_179_ = _e48;
+        phi_181_ = _e49;
     }
-    let _e56 = phi_179_;
-    return _e56;
+    let _e57 = phi_181_;
+    return _e57;
 }
 
 fn _lt_math_evsm_Evsm_negative(param_5: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_194_: bool;
-    var phi_198_: f32;
+    var phi_196_: bool;
+    var phi_200_: f32;
 
-    let _e48 = (*param_5).negative_exponent;
+    let _e49 = (*param_5).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_194_ = true;
+        phi_196_ = true;
     } else {
-        let _e52 = (42f < _e48);
-        if _e52 {
+        let _e53 = (42f < _e49);
+        if _e53 {
         }
-        phi_194_ = _e52;
+        phi_196_ = _e53;
     }
-    let _e54 = phi_194_;
-    if _e54 {
-        phi_198_ = 42f;
+    let _e55 = phi_196_;
+    if _e55 {
+        phi_200_ = 42f;
     } else {
-        phi_198_ = _e48;
+        phi_200_ = _e49;
     }
-    let _e56 = phi_198_;
-    return _e56;
+    let _e57 = phi_200_;
+    return _e57;
 }
 
 fn _lt_math_evsm_Evsm_bound_of_offsets(param_6: ptr<function, lt_math_Evsm>, param_7: vec4<f32>, param_8: vec4<f32>) -> f32 {
-    var phi_816_: f32;
-    var phi_821_: f32;
-    var phi_843_: f32;
-    var phi_848_: f32;
-    var phi_849_: bool;
-    var phi_850_: f32;
-    var phi_851_: bool;
-    var phi_855_: f32;
-    var phi_893_: f32;
-    var phi_904_: f32;
-    var phi_909_: f32;
-    var phi_931_: f32;
-    var phi_936_: f32;
-    var phi_937_: bool;
-    var phi_938_: f32;
-    var phi_939_: bool;
-    var phi_943_: f32;
-    var phi_981_: f32;
-    var phi_992_: f32;
-    var phi_997_: f32;
-    var phi_1019_: f32;
-    var phi_1024_: f32;
-    var phi_1025_: bool;
-    var phi_1026_: f32;
-    var phi_1027_: bool;
-    var phi_1031_: f32;
-    var phi_1069_: f32;
-    var phi_1080_: f32;
-    var phi_1085_: f32;
-    var phi_1107_: f32;
-    var phi_1112_: f32;
-    var phi_1113_: bool;
-    var phi_1114_: f32;
-    var phi_1115_: bool;
-    var phi_1119_: f32;
-    var phi_1157_: f32;
-    var phi_1210_: bool;
-    var phi_1214_: f32;
-    var phi_1226_: bool;
-    var phi_1233_: f32;
-    var phi_1254_: f32;
-    var phi_1259_: f32;
-    var phi_1281_: f32;
-    var phi_1286_: f32;
-    var phi_1287_: bool;
-    var phi_1288_: f32;
-    var phi_1289_: bool;
-    var phi_1293_: f32;
-    var phi_1331_: f32;
-    var phi_1342_: f32;
-    var phi_1347_: f32;
-    var phi_1369_: f32;
-    var phi_1374_: f32;
-    var phi_1375_: bool;
-    var phi_1376_: f32;
-    var phi_1377_: bool;
-    var phi_1381_: f32;
-    var phi_1419_: f32;
-    var phi_1430_: f32;
-    var phi_1435_: f32;
-    var phi_1457_: f32;
-    var phi_1462_: f32;
-    var phi_1463_: bool;
-    var phi_1464_: f32;
-    var phi_1465_: bool;
-    var phi_1469_: f32;
-    var phi_1507_: f32;
-    var phi_1518_: f32;
-    var phi_1523_: f32;
-    var phi_1545_: f32;
-    var phi_1550_: f32;
-    var phi_1551_: bool;
-    var phi_1552_: f32;
-    var phi_1553_: bool;
-    var phi_1557_: f32;
-    var phi_1595_: f32;
-    var phi_1648_: bool;
-    var phi_1652_: f32;
-    var phi_1664_: bool;
-    var phi_1671_: f32;
-    var phi_1682_: bool;
-    var phi_1686_: f32;
-    var phi_1701_: f32;
-    var phi_1702_: f32;
-    var phi_1703_: f32;
+    var phi_908_: f32;
+    var phi_913_: f32;
+    var phi_935_: f32;
+    var phi_940_: f32;
+    var phi_941_: bool;
+    var phi_942_: f32;
+    var phi_943_: bool;
+    var phi_947_: f32;
+    var phi_985_: f32;
+    var phi_996_: f32;
+    var phi_1001_: f32;
+    var phi_1023_: f32;
+    var phi_1028_: f32;
+    var phi_1029_: bool;
+    var phi_1030_: f32;
+    var phi_1031_: bool;
+    var phi_1035_: f32;
+    var phi_1073_: f32;
+    var phi_1084_: f32;
+    var phi_1089_: f32;
+    var phi_1111_: f32;
+    var phi_1116_: f32;
+    var phi_1117_: bool;
+    var phi_1118_: f32;
+    var phi_1119_: bool;
+    var phi_1123_: f32;
+    var phi_1161_: f32;
+    var phi_1172_: f32;
+    var phi_1177_: f32;
+    var phi_1199_: f32;
+    var phi_1204_: f32;
+    var phi_1205_: bool;
+    var phi_1206_: f32;
+    var phi_1207_: bool;
+    var phi_1211_: f32;
+    var phi_1249_: f32;
+    var phi_1302_: bool;
+    var phi_1306_: f32;
+    var phi_1318_: bool;
+    var phi_1325_: f32;
+    var phi_1346_: f32;
+    var phi_1351_: f32;
+    var phi_1373_: f32;
+    var phi_1378_: f32;
+    var phi_1379_: bool;
+    var phi_1380_: f32;
+    var phi_1381_: bool;
+    var phi_1385_: f32;
+    var phi_1423_: f32;
+    var phi_1434_: f32;
+    var phi_1439_: f32;
+    var phi_1461_: f32;
+    var phi_1466_: f32;
+    var phi_1467_: bool;
+    var phi_1468_: f32;
+    var phi_1469_: bool;
+    var phi_1473_: f32;
+    var phi_1511_: f32;
+    var phi_1522_: f32;
+    var phi_1527_: f32;
+    var phi_1549_: f32;
+    var phi_1554_: f32;
+    var phi_1555_: bool;
+    var phi_1556_: f32;
+    var phi_1557_: bool;
+    var phi_1561_: f32;
+    var phi_1599_: f32;
+    var phi_1610_: f32;
+    var phi_1615_: f32;
+    var phi_1637_: f32;
+    var phi_1642_: f32;
+    var phi_1643_: bool;
+    var phi_1644_: f32;
+    var phi_1645_: bool;
+    var phi_1649_: f32;
+    var phi_1687_: f32;
+    var phi_1740_: bool;
+    var phi_1744_: f32;
+    var phi_1756_: bool;
+    var phi_1763_: f32;
+    var phi_1774_: bool;
+    var phi_1778_: f32;
+    var phi_1793_: f32;
+    var phi_1794_: f32;
+    var phi_1795_: f32;
 
-    let _e49 = _lt_math_evsm_Evsm_positive(param_6);
-    let _e51 = (_e49 * param_7.x);
-    let _e53 = (_e49 * param_7.y);
-    let _e55 = (_e49 * param_7.z);
-    let _e57 = (_e49 * param_7.w);
-    if ((bitcast<u32>(_e51) & 2147483647u) > 2139095040u) {
-        phi_893_ = _e51;
+    let _e50 = _lt_math_evsm_Evsm_positive(param_6);
+    let _e52 = (_e50 * param_7.x);
+    let _e54 = (_e50 * param_7.y);
+    let _e56 = (_e50 * param_7.z);
+    let _e58 = (_e50 * param_7.w);
+    if ((bitcast<u32>(_e52) & 2147483647u) > 2139095040u) {
+        phi_985_ = _e52;
     } else {
-        if (_e51 < -87f) {
-            phi_816_ = -87f;
+        if (_e52 < -87f) {
+            phi_908_ = -87f;
         } else {
-            phi_816_ = _e51;
+            phi_908_ = _e52;
         }
-        let _e63 = phi_816_;
-        if (_e63 > 88f) {
-            phi_821_ = 88f;
+        let _e64 = phi_908_;
+        if (_e64 > 88f) {
+            phi_913_ = 88f;
         } else {
-            phi_821_ = _e63;
+            phi_913_ = _e64;
         }
-        let _e66 = phi_821_;
-        let _e68 = ((_e66 * 1.442695f) + 0.5f);
-        if (_e68 > -8388608f) {
-            let _e80 = f32(select(0i, select(select(i32(_e68), i32(-2147483648), (_e68 < bitcast<f32>(3472883712u))), 2147483647i, (_e68 > bitcast<f32>(1325400063u))), (_e68 == _e68)));
-            if (_e80 > _e68) {
-                phi_843_ = 1f;
+        let _e67 = phi_913_;
+        let _e69 = ((_e67 * 1.442695f) + 0.5f);
+        if (_e69 > -8388608f) {
+            let _e81 = f32(select(0i, select(select(i32(_e69), i32(-2147483648), (_e69 < bitcast<f32>(3472883712u))), 2147483647i, (_e69 > bitcast<f32>(1325400063u))), (_e69 == _e69)));
+            if (_e81 > _e69) {
+                phi_935_ = 1f;
             } else {
-                phi_843_ = 0f;
+                phi_935_ = 0f;
             }
-            let _e83 = phi_843_;
-            if (_e68 < 8388608f) {
-                phi_848_ = (_e80 - _e83);
-                phi_849_ = false;
+            let _e84 = phi_935_;
+            if (_e69 < 8388608f) {
+                phi_940_ = (_e81 - _e84);
+                phi_941_ = false;
             } else {
-                phi_848_ = f32();
-                phi_849_ = true;
+                phi_940_ = f32();
+                phi_941_ = true;
             }
-            let _e86 = phi_848_;
-            let _e88 = phi_849_;
-            phi_850_ = _e86;
-            phi_851_ = _e88;
+            let _e87 = phi_940_;
+            let _e89 = phi_941_;
+            phi_942_ = _e87;
+            phi_943_ = _e89;
         } else {
-            phi_850_ = f32();
-            phi_851_ = true;
+            phi_942_ = f32();
+            phi_943_ = true;
         }
-        let _e90 = phi_850_;
-        let _e92 = phi_851_;
-        if _e92 {
-            phi_855_ = _e68;
+        let _e91 = phi_942_;
+        let _e93 = phi_943_;
+        if _e93 {
+            phi_947_ = _e69;
         } else {
-            phi_855_ = _e90;
+            phi_947_ = _e91;
         }
-        let _e94 = phi_855_;
-        let _e98 = ((_e66 - (_e94 * 0.69314575f)) - (_e94 * 0.0000014286068f));
-        phi_893_ = ((((((((((((((((1f / 5040f) * _e98) + (1f / 720f)) * _e98) + (1f / 120f)) * _e98) + (1f / 24f)) * _e98) + (1f / 6f)) * _e98) + 0.5f) * _e98) + 1f) * _e98) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e94), i32(-2147483648), (_e94 < bitcast<f32>(3472883712u))), 2147483647i, (_e94 > bitcast<f32>(1325400063u))), (_e94 == _e94)) + 127i)) << bitcast<u32>(23i))));
+        let _e95 = phi_947_;
+        let _e99 = ((_e67 - (_e95 * 0.69314575f)) - (_e95 * 0.0000014286068f));
+        phi_985_ = ((((((((((((((((1f / 5040f) * _e99) + (1f / 720f)) * _e99) + (1f / 120f)) * _e99) + (1f / 24f)) * _e99) + (1f / 6f)) * _e99) + 0.5f) * _e99) + 1f) * _e99) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e95), i32(-2147483648), (_e95 < bitcast<f32>(3472883712u))), 2147483647i, (_e95 > bitcast<f32>(1325400063u))), (_e95 == _e95)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e134 = phi_893_;
-    if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
-        phi_981_ = _e53;
+    let _e135 = phi_985_;
+    if ((bitcast<u32>(_e54) & 2147483647u) > 2139095040u) {
+        phi_1073_ = _e54;
     } else {
-        if (_e53 < -87f) {
-            phi_904_ = -87f;
+        if (_e54 < -87f) {
+            phi_996_ = -87f;
         } else {
-            phi_904_ = _e53;
+            phi_996_ = _e54;
         }
-        let _e140 = phi_904_;
-        if (_e140 > 88f) {
-            phi_909_ = 88f;
+        let _e141 = phi_996_;
+        if (_e141 > 88f) {
+            phi_1001_ = 88f;
         } else {
-            phi_909_ = _e140;
+            phi_1001_ = _e141;
         }
-        let _e143 = phi_909_;
-        let _e145 = ((_e143 * 1.442695f) + 0.5f);
-        if (_e145 > -8388608f) {
-            let _e157 = f32(select(0i, select(select(i32(_e145), i32(-2147483648), (_e145 < bitcast<f32>(3472883712u))), 2147483647i, (_e145 > bitcast<f32>(1325400063u))), (_e145 == _e145)));
-            if (_e157 > _e145) {
-                phi_931_ = 1f;
+        let _e144 = phi_1001_;
+        let _e146 = ((_e144 * 1.442695f) + 0.5f);
+        if (_e146 > -8388608f) {
+            let _e158 = f32(select(0i, select(select(i32(_e146), i32(-2147483648), (_e146 < bitcast<f32>(3472883712u))), 2147483647i, (_e146 > bitcast<f32>(1325400063u))), (_e146 == _e146)));
+            if (_e158 > _e146) {
+                phi_1023_ = 1f;
             } else {
-                phi_931_ = 0f;
+                phi_1023_ = 0f;
             }
-            let _e160 = phi_931_;
-            if (_e145 < 8388608f) {
-                phi_936_ = (_e157 - _e160);
-                phi_937_ = false;
+            let _e161 = phi_1023_;
+            if (_e146 < 8388608f) {
+                phi_1028_ = (_e158 - _e161);
+                phi_1029_ = false;
             } else {
-                phi_936_ = f32();
-                phi_937_ = true;
+                phi_1028_ = f32();
+                phi_1029_ = true;
             }
-            let _e163 = phi_936_;
-            let _e165 = phi_937_;
-            phi_938_ = _e163;
-            phi_939_ = _e165;
+            let _e164 = phi_1028_;
+            let _e166 = phi_1029_;
+            phi_1030_ = _e164;
+            phi_1031_ = _e166;
         } else {
-            phi_938_ = f32();
-            phi_939_ = true;
+            phi_1030_ = f32();
+            phi_1031_ = true;
         }
-        let _e167 = phi_938_;
-        let _e169 = phi_939_;
-        if _e169 {
-            phi_943_ = _e145;
+        let _e168 = phi_1030_;
+        let _e170 = phi_1031_;
+        if _e170 {
+            phi_1035_ = _e146;
         } else {
-            phi_943_ = _e167;
+            phi_1035_ = _e168;
         }
-        let _e171 = phi_943_;
-        let _e175 = ((_e143 - (_e171 * 0.69314575f)) - (_e171 * 0.0000014286068f));
-        phi_981_ = ((((((((((((((((1f / 5040f) * _e175) + (1f / 720f)) * _e175) + (1f / 120f)) * _e175) + (1f / 24f)) * _e175) + (1f / 6f)) * _e175) + 0.5f) * _e175) + 1f) * _e175) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e171), i32(-2147483648), (_e171 < bitcast<f32>(3472883712u))), 2147483647i, (_e171 > bitcast<f32>(1325400063u))), (_e171 == _e171)) + 127i)) << bitcast<u32>(23i))));
+        let _e172 = phi_1035_;
+        let _e176 = ((_e144 - (_e172 * 0.69314575f)) - (_e172 * 0.0000014286068f));
+        phi_1073_ = ((((((((((((((((1f / 5040f) * _e176) + (1f / 720f)) * _e176) + (1f / 120f)) * _e176) + (1f / 24f)) * _e176) + (1f / 6f)) * _e176) + 0.5f) * _e176) + 1f) * _e176) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e172), i32(-2147483648), (_e172 < bitcast<f32>(3472883712u))), 2147483647i, (_e172 > bitcast<f32>(1325400063u))), (_e172 == _e172)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e211 = phi_981_;
-    if ((bitcast<u32>(_e55) & 2147483647u) > 2139095040u) {
-        phi_1069_ = _e55;
+    let _e212 = phi_1073_;
+    if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
+        phi_1161_ = _e56;
     } else {
-        if (_e55 < -87f) {
-            phi_992_ = -87f;
+        if (_e56 < -87f) {
+            phi_1084_ = -87f;
         } else {
-            phi_992_ = _e55;
+            phi_1084_ = _e56;
         }
-        let _e217 = phi_992_;
-        if (_e217 > 88f) {
-            phi_997_ = 88f;
+        let _e218 = phi_1084_;
+        if (_e218 > 88f) {
+            phi_1089_ = 88f;
         } else {
-            phi_997_ = _e217;
+            phi_1089_ = _e218;
         }
-        let _e220 = phi_997_;
-        let _e222 = ((_e220 * 1.442695f) + 0.5f);
-        if (_e222 > -8388608f) {
-            let _e234 = f32(select(0i, select(select(i32(_e222), i32(-2147483648), (_e222 < bitcast<f32>(3472883712u))), 2147483647i, (_e222 > bitcast<f32>(1325400063u))), (_e222 == _e222)));
-            if (_e234 > _e222) {
-                phi_1019_ = 1f;
+        let _e221 = phi_1089_;
+        let _e223 = ((_e221 * 1.442695f) + 0.5f);
+        if (_e223 > -8388608f) {
+            let _e235 = f32(select(0i, select(select(i32(_e223), i32(-2147483648), (_e223 < bitcast<f32>(3472883712u))), 2147483647i, (_e223 > bitcast<f32>(1325400063u))), (_e223 == _e223)));
+            if (_e235 > _e223) {
+                phi_1111_ = 1f;
             } else {
-                phi_1019_ = 0f;
+                phi_1111_ = 0f;
             }
-            let _e237 = phi_1019_;
-            if (_e222 < 8388608f) {
-                phi_1024_ = (_e234 - _e237);
-                phi_1025_ = false;
+            let _e238 = phi_1111_;
+            if (_e223 < 8388608f) {
+                phi_1116_ = (_e235 - _e238);
+                phi_1117_ = false;
             } else {
-                phi_1024_ = f32();
-                phi_1025_ = true;
+                phi_1116_ = f32();
+                phi_1117_ = true;
             }
-            let _e240 = phi_1024_;
-            let _e242 = phi_1025_;
-            phi_1026_ = _e240;
-            phi_1027_ = _e242;
+            let _e241 = phi_1116_;
+            let _e243 = phi_1117_;
+            phi_1118_ = _e241;
+            phi_1119_ = _e243;
         } else {
-            phi_1026_ = f32();
-            phi_1027_ = true;
+            phi_1118_ = f32();
+            phi_1119_ = true;
         }
-        let _e244 = phi_1026_;
-        let _e246 = phi_1027_;
-        if _e246 {
-            phi_1031_ = _e222;
+        let _e245 = phi_1118_;
+        let _e247 = phi_1119_;
+        if _e247 {
+            phi_1123_ = _e223;
         } else {
-            phi_1031_ = _e244;
+            phi_1123_ = _e245;
         }
-        let _e248 = phi_1031_;
-        let _e252 = ((_e220 - (_e248 * 0.69314575f)) - (_e248 * 0.0000014286068f));
-        phi_1069_ = ((((((((((((((((1f / 5040f) * _e252) + (1f / 720f)) * _e252) + (1f / 120f)) * _e252) + (1f / 24f)) * _e252) + (1f / 6f)) * _e252) + 0.5f) * _e252) + 1f) * _e252) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e248), i32(-2147483648), (_e248 < bitcast<f32>(3472883712u))), 2147483647i, (_e248 > bitcast<f32>(1325400063u))), (_e248 == _e248)) + 127i)) << bitcast<u32>(23i))));
+        let _e249 = phi_1123_;
+        let _e253 = ((_e221 - (_e249 * 0.69314575f)) - (_e249 * 0.0000014286068f));
+        phi_1161_ = ((((((((((((((((1f / 5040f) * _e253) + (1f / 720f)) * _e253) + (1f / 120f)) * _e253) + (1f / 24f)) * _e253) + (1f / 6f)) * _e253) + 0.5f) * _e253) + 1f) * _e253) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e249), i32(-2147483648), (_e249 < bitcast<f32>(3472883712u))), 2147483647i, (_e249 > bitcast<f32>(1325400063u))), (_e249 == _e249)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e288 = phi_1069_;
-    if ((bitcast<u32>(_e57) & 2147483647u) > 2139095040u) {
-        phi_1157_ = _e57;
+    let _e289 = phi_1161_;
+    if ((bitcast<u32>(_e58) & 2147483647u) > 2139095040u) {
+        phi_1249_ = _e58;
     } else {
-        if (_e57 < -87f) {
-            phi_1080_ = -87f;
+        if (_e58 < -87f) {
+            phi_1172_ = -87f;
         } else {
-            phi_1080_ = _e57;
+            phi_1172_ = _e58;
         }
-        let _e294 = phi_1080_;
-        if (_e294 > 88f) {
-            phi_1085_ = 88f;
+        let _e295 = phi_1172_;
+        if (_e295 > 88f) {
+            phi_1177_ = 88f;
         } else {
-            phi_1085_ = _e294;
+            phi_1177_ = _e295;
         }
-        let _e297 = phi_1085_;
-        let _e299 = ((_e297 * 1.442695f) + 0.5f);
-        if (_e299 > -8388608f) {
-            let _e311 = f32(select(0i, select(select(i32(_e299), i32(-2147483648), (_e299 < bitcast<f32>(3472883712u))), 2147483647i, (_e299 > bitcast<f32>(1325400063u))), (_e299 == _e299)));
-            if (_e311 > _e299) {
-                phi_1107_ = 1f;
+        let _e298 = phi_1177_;
+        let _e300 = ((_e298 * 1.442695f) + 0.5f);
+        if (_e300 > -8388608f) {
+            let _e312 = f32(select(0i, select(select(i32(_e300), i32(-2147483648), (_e300 < bitcast<f32>(3472883712u))), 2147483647i, (_e300 > bitcast<f32>(1325400063u))), (_e300 == _e300)));
+            if (_e312 > _e300) {
+                phi_1199_ = 1f;
             } else {
-                phi_1107_ = 0f;
+                phi_1199_ = 0f;
             }
-            let _e314 = phi_1107_;
-            if (_e299 < 8388608f) {
-                phi_1112_ = (_e311 - _e314);
-                phi_1113_ = false;
+            let _e315 = phi_1199_;
+            if (_e300 < 8388608f) {
+                phi_1204_ = (_e312 - _e315);
+                phi_1205_ = false;
             } else {
-                phi_1112_ = f32();
-                phi_1113_ = true;
+                phi_1204_ = f32();
+                phi_1205_ = true;
             }
-            let _e317 = phi_1112_;
-            let _e319 = phi_1113_;
-            phi_1114_ = _e317;
-            phi_1115_ = _e319;
+            let _e318 = phi_1204_;
+            let _e320 = phi_1205_;
+            phi_1206_ = _e318;
+            phi_1207_ = _e320;
         } else {
-            phi_1114_ = f32();
-            phi_1115_ = true;
+            phi_1206_ = f32();
+            phi_1207_ = true;
         }
-        let _e321 = phi_1114_;
-        let _e323 = phi_1115_;
-        if _e323 {
-            phi_1119_ = _e299;
+        let _e322 = phi_1206_;
+        let _e324 = phi_1207_;
+        if _e324 {
+            phi_1211_ = _e300;
         } else {
-            phi_1119_ = _e321;
+            phi_1211_ = _e322;
         }
-        let _e325 = phi_1119_;
-        let _e329 = ((_e297 - (_e325 * 0.69314575f)) - (_e325 * 0.0000014286068f));
-        phi_1157_ = ((((((((((((((((1f / 5040f) * _e329) + (1f / 720f)) * _e329) + (1f / 120f)) * _e329) + (1f / 24f)) * _e329) + (1f / 6f)) * _e329) + 0.5f) * _e329) + 1f) * _e329) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e325), i32(-2147483648), (_e325 < bitcast<f32>(3472883712u))), 2147483647i, (_e325 > bitcast<f32>(1325400063u))), (_e325 == _e325)) + 127i)) << bitcast<u32>(23i))));
+        let _e326 = phi_1211_;
+        let _e330 = ((_e298 - (_e326 * 0.69314575f)) - (_e326 * 0.0000014286068f));
+        phi_1249_ = ((((((((((((((((1f / 5040f) * _e330) + (1f / 720f)) * _e330) + (1f / 120f)) * _e330) + (1f / 24f)) * _e330) + (1f / 6f)) * _e330) + 0.5f) * _e330) + 1f) * _e330) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e326), i32(-2147483648), (_e326 < bitcast<f32>(3472883712u))), 2147483647i, (_e326 > bitcast<f32>(1325400063u))), (_e326 == _e326)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e365 = phi_1157_;
-    let _e367 = (_e134 - vec4<f32>(1f, 1f, 1f, 1f).x);
-    let _e369 = (_e211 - vec4<f32>(1f, 1f, 1f, 1f).y);
-    let _e371 = (_e288 - vec4<f32>(1f, 1f, 1f, 1f).z);
-    let _e373 = (_e365 - vec4<f32>(1f, 1f, 1f, 1f).w);
-    let _e375 = (*param_6).min_variance;
-    let _e377 = ((_e375 * _e49) * _e49);
-    let _e388 = ((((_e367 * param_8.x) + (_e369 * param_8.y)) + (_e371 * param_8.z)) + (_e373 * param_8.w));
-    let _e389 = (_e367 - _e388);
-    let _e390 = (_e369 - _e388);
-    let _e391 = (_e371 - _e388);
-    let _e392 = (_e373 - _e388);
-    let _e407 = (((((_e389 * _e389) * param_8.x) + ((_e390 * _e390) * param_8.y)) + ((_e391 * _e391) * param_8.z)) + ((_e392 * _e392) * param_8.w));
-    if ((bitcast<u32>(_e377) & 2147483647u) > 2139095040u) {
-        phi_1210_ = true;
+    let _e366 = phi_1249_;
+    let _e368 = (_e135 - vec4<f32>(1f, 1f, 1f, 1f).x);
+    let _e370 = (_e212 - vec4<f32>(1f, 1f, 1f, 1f).y);
+    let _e372 = (_e289 - vec4<f32>(1f, 1f, 1f, 1f).z);
+    let _e374 = (_e366 - vec4<f32>(1f, 1f, 1f, 1f).w);
+    let _e376 = (*param_6).min_variance;
+    let _e378 = ((_e376 * _e50) * _e50);
+    let _e389 = ((((_e368 * param_8.x) + (_e370 * param_8.y)) + (_e372 * param_8.z)) + (_e374 * param_8.w));
+    let _e390 = (_e368 - _e389);
+    let _e391 = (_e370 - _e389);
+    let _e392 = (_e372 - _e389);
+    let _e393 = (_e374 - _e389);
+    let _e408 = (((((_e390 * _e390) * param_8.x) + ((_e391 * _e391) * param_8.y)) + ((_e392 * _e392) * param_8.z)) + ((_e393 * _e393) * param_8.w));
+    if ((bitcast<u32>(_e378) & 2147483647u) > 2139095040u) {
+        phi_1302_ = true;
     } else {
-        let _e411 = (_e377 > _e407);
-        if _e411 {
+        let _e412 = (_e378 > _e408);
+        if _e412 {
         }
-        phi_1210_ = _e411;
+        phi_1302_ = _e412;
     }
-    let _e413 = phi_1210_;
-    if _e413 {
-        phi_1214_ = _e377;
+    let _e414 = phi_1302_;
+    if _e414 {
+        phi_1306_ = _e378;
     } else {
-        phi_1214_ = _e407;
+        phi_1306_ = _e408;
     }
-    let _e415 = phi_1214_;
-    let _e416 = -(_e388);
-    if (_e416 <= 0f) {
-        let _e420 = ((bitcast<u32>(_e415) & 2147483647u) > 2139095040u);
-        if _e420 {
+    let _e416 = phi_1306_;
+    let _e417 = -(_e389);
+    if (_e417 <= 0f) {
+        let _e421 = ((bitcast<u32>(_e416) & 2147483647u) > 2139095040u);
+        if _e421 {
         }
-        phi_1226_ = _e420;
+        phi_1318_ = _e421;
     } else {
-        phi_1226_ = true;
+        phi_1318_ = true;
     }
-    let _e422 = phi_1226_;
-    if _e422 {
-        phi_1233_ = (_e415 / (_e415 + (_e416 * _e416)));
+    let _e423 = phi_1318_;
+    if _e423 {
+        phi_1325_ = (_e416 / (_e416 + (_e417 * _e417)));
     } else {
-        phi_1233_ = 1f;
+        phi_1325_ = 1f;
     }
-    let _e427 = phi_1233_;
-    let _e428 = _lt_math_evsm_Evsm_negative(param_6);
-    let _e429 = -(_e428);
-    let _e431 = (_e429 * param_7.x);
-    let _e433 = (_e429 * param_7.y);
-    let _e435 = (_e429 * param_7.z);
-    let _e437 = (_e429 * param_7.w);
-    if ((bitcast<u32>(_e431) & 2147483647u) > 2139095040u) {
-        phi_1331_ = _e431;
+    let _e428 = phi_1325_;
+    let _e429 = _lt_math_evsm_Evsm_negative(param_6);
+    let _e430 = -(_e429);
+    let _e432 = (_e430 * param_7.x);
+    let _e434 = (_e430 * param_7.y);
+    let _e436 = (_e430 * param_7.z);
+    let _e438 = (_e430 * param_7.w);
+    if ((bitcast<u32>(_e432) & 2147483647u) > 2139095040u) {
+        phi_1423_ = _e432;
     } else {
-        if (_e431 < -87f) {
-            phi_1254_ = -87f;
+        if (_e432 < -87f) {
+            phi_1346_ = -87f;
         } else {
-            phi_1254_ = _e431;
+            phi_1346_ = _e432;
         }
-        let _e443 = phi_1254_;
-        if (_e443 > 88f) {
-            phi_1259_ = 88f;
+        let _e444 = phi_1346_;
+        if (_e444 > 88f) {
+            phi_1351_ = 88f;
         } else {
-            phi_1259_ = _e443;
+            phi_1351_ = _e444;
         }
-        let _e446 = phi_1259_;
-        let _e448 = ((_e446 * 1.442695f) + 0.5f);
-        if (_e448 > -8388608f) {
-            let _e460 = f32(select(0i, select(select(i32(_e448), i32(-2147483648), (_e448 < bitcast<f32>(3472883712u))), 2147483647i, (_e448 > bitcast<f32>(1325400063u))), (_e448 == _e448)));
-            if (_e460 > _e448) {
-                phi_1281_ = 1f;
+        let _e447 = phi_1351_;
+        let _e449 = ((_e447 * 1.442695f) + 0.5f);
+        if (_e449 > -8388608f) {
+            let _e461 = f32(select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449)));
+            if (_e461 > _e449) {
+                phi_1373_ = 1f;
             } else {
-                phi_1281_ = 0f;
+                phi_1373_ = 0f;
             }
-            let _e463 = phi_1281_;
-            if (_e448 < 8388608f) {
-                phi_1286_ = (_e460 - _e463);
-                phi_1287_ = false;
+            let _e464 = phi_1373_;
+            if (_e449 < 8388608f) {
+                phi_1378_ = (_e461 - _e464);
+                phi_1379_ = false;
             } else {
-                phi_1286_ = f32();
-                phi_1287_ = true;
+                phi_1378_ = f32();
+                phi_1379_ = true;
             }
-            let _e466 = phi_1286_;
-            let _e468 = phi_1287_;
-            phi_1288_ = _e466;
-            phi_1289_ = _e468;
+            let _e467 = phi_1378_;
+            let _e469 = phi_1379_;
+            phi_1380_ = _e467;
+            phi_1381_ = _e469;
         } else {
-            phi_1288_ = f32();
-            phi_1289_ = true;
+            phi_1380_ = f32();
+            phi_1381_ = true;
         }
-        let _e470 = phi_1288_;
-        let _e472 = phi_1289_;
-        if _e472 {
-            phi_1293_ = _e448;
+        let _e471 = phi_1380_;
+        let _e473 = phi_1381_;
+        if _e473 {
+            phi_1385_ = _e449;
         } else {
-            phi_1293_ = _e470;
+            phi_1385_ = _e471;
         }
-        let _e474 = phi_1293_;
-        let _e478 = ((_e446 - (_e474 * 0.69314575f)) - (_e474 * 0.0000014286068f));
-        phi_1331_ = ((((((((((((((((1f / 5040f) * _e478) + (1f / 720f)) * _e478) + (1f / 120f)) * _e478) + (1f / 24f)) * _e478) + (1f / 6f)) * _e478) + 0.5f) * _e478) + 1f) * _e478) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e474), i32(-2147483648), (_e474 < bitcast<f32>(3472883712u))), 2147483647i, (_e474 > bitcast<f32>(1325400063u))), (_e474 == _e474)) + 127i)) << bitcast<u32>(23i))));
+        let _e475 = phi_1385_;
+        let _e479 = ((_e447 - (_e475 * 0.69314575f)) - (_e475 * 0.0000014286068f));
+        phi_1423_ = ((((((((((((((((1f / 5040f) * _e479) + (1f / 720f)) * _e479) + (1f / 120f)) * _e479) + (1f / 24f)) * _e479) + (1f / 6f)) * _e479) + 0.5f) * _e479) + 1f) * _e479) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e475), i32(-2147483648), (_e475 < bitcast<f32>(3472883712u))), 2147483647i, (_e475 > bitcast<f32>(1325400063u))), (_e475 == _e475)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e514 = phi_1331_;
-    if ((bitcast<u32>(_e433) & 2147483647u) > 2139095040u) {
-        phi_1419_ = _e433;
+    let _e515 = phi_1423_;
+    if ((bitcast<u32>(_e434) & 2147483647u) > 2139095040u) {
+        phi_1511_ = _e434;
     } else {
-        if (_e433 < -87f) {
-            phi_1342_ = -87f;
+        if (_e434 < -87f) {
+            phi_1434_ = -87f;
         } else {
-            phi_1342_ = _e433;
+            phi_1434_ = _e434;
         }
-        let _e520 = phi_1342_;
-        if (_e520 > 88f) {
-            phi_1347_ = 88f;
+        let _e521 = phi_1434_;
+        if (_e521 > 88f) {
+            phi_1439_ = 88f;
         } else {
-            phi_1347_ = _e520;
+            phi_1439_ = _e521;
         }
-        let _e523 = phi_1347_;
-        let _e525 = ((_e523 * 1.442695f) + 0.5f);
-        if (_e525 > -8388608f) {
-            let _e537 = f32(select(0i, select(select(i32(_e525), i32(-2147483648), (_e525 < bitcast<f32>(3472883712u))), 2147483647i, (_e525 > bitcast<f32>(1325400063u))), (_e525 == _e525)));
-            if (_e537 > _e525) {
-                phi_1369_ = 1f;
+        let _e524 = phi_1439_;
+        let _e526 = ((_e524 * 1.442695f) + 0.5f);
+        if (_e526 > -8388608f) {
+            let _e538 = f32(select(0i, select(select(i32(_e526), i32(-2147483648), (_e526 < bitcast<f32>(3472883712u))), 2147483647i, (_e526 > bitcast<f32>(1325400063u))), (_e526 == _e526)));
+            if (_e538 > _e526) {
+                phi_1461_ = 1f;
             } else {
-                phi_1369_ = 0f;
+                phi_1461_ = 0f;
             }
-            let _e540 = phi_1369_;
-            if (_e525 < 8388608f) {
-                phi_1374_ = (_e537 - _e540);
-                phi_1375_ = false;
+            let _e541 = phi_1461_;
+            if (_e526 < 8388608f) {
+                phi_1466_ = (_e538 - _e541);
+                phi_1467_ = false;
             } else {
-                phi_1374_ = f32();
-                phi_1375_ = true;
+                phi_1466_ = f32();
+                phi_1467_ = true;
             }
-            let _e543 = phi_1374_;
-            let _e545 = phi_1375_;
-            phi_1376_ = _e543;
-            phi_1377_ = _e545;
+            let _e544 = phi_1466_;
+            let _e546 = phi_1467_;
+            phi_1468_ = _e544;
+            phi_1469_ = _e546;
         } else {
-            phi_1376_ = f32();
-            phi_1377_ = true;
+            phi_1468_ = f32();
+            phi_1469_ = true;
         }
-        let _e547 = phi_1376_;
-        let _e549 = phi_1377_;
-        if _e549 {
-            phi_1381_ = _e525;
+        let _e548 = phi_1468_;
+        let _e550 = phi_1469_;
+        if _e550 {
+            phi_1473_ = _e526;
         } else {
-            phi_1381_ = _e547;
+            phi_1473_ = _e548;
         }
-        let _e551 = phi_1381_;
-        let _e555 = ((_e523 - (_e551 * 0.69314575f)) - (_e551 * 0.0000014286068f));
-        phi_1419_ = ((((((((((((((((1f / 5040f) * _e555) + (1f / 720f)) * _e555) + (1f / 120f)) * _e555) + (1f / 24f)) * _e555) + (1f / 6f)) * _e555) + 0.5f) * _e555) + 1f) * _e555) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e551), i32(-2147483648), (_e551 < bitcast<f32>(3472883712u))), 2147483647i, (_e551 > bitcast<f32>(1325400063u))), (_e551 == _e551)) + 127i)) << bitcast<u32>(23i))));
+        let _e552 = phi_1473_;
+        let _e556 = ((_e524 - (_e552 * 0.69314575f)) - (_e552 * 0.0000014286068f));
+        phi_1511_ = ((((((((((((((((1f / 5040f) * _e556) + (1f / 720f)) * _e556) + (1f / 120f)) * _e556) + (1f / 24f)) * _e556) + (1f / 6f)) * _e556) + 0.5f) * _e556) + 1f) * _e556) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e552), i32(-2147483648), (_e552 < bitcast<f32>(3472883712u))), 2147483647i, (_e552 > bitcast<f32>(1325400063u))), (_e552 == _e552)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e591 = phi_1419_;
-    if ((bitcast<u32>(_e435) & 2147483647u) > 2139095040u) {
-        phi_1507_ = _e435;
+    let _e592 = phi_1511_;
+    if ((bitcast<u32>(_e436) & 2147483647u) > 2139095040u) {
+        phi_1599_ = _e436;
     } else {
-        if (_e435 < -87f) {
-            phi_1430_ = -87f;
+        if (_e436 < -87f) {
+            phi_1522_ = -87f;
         } else {
-            phi_1430_ = _e435;
+            phi_1522_ = _e436;
         }
-        let _e597 = phi_1430_;
-        if (_e597 > 88f) {
-            phi_1435_ = 88f;
+        let _e598 = phi_1522_;
+        if (_e598 > 88f) {
+            phi_1527_ = 88f;
         } else {
-            phi_1435_ = _e597;
+            phi_1527_ = _e598;
         }
-        let _e600 = phi_1435_;
-        let _e602 = ((_e600 * 1.442695f) + 0.5f);
-        if (_e602 > -8388608f) {
-            let _e614 = f32(select(0i, select(select(i32(_e602), i32(-2147483648), (_e602 < bitcast<f32>(3472883712u))), 2147483647i, (_e602 > bitcast<f32>(1325400063u))), (_e602 == _e602)));
-            if (_e614 > _e602) {
-                phi_1457_ = 1f;
+        let _e601 = phi_1527_;
+        let _e603 = ((_e601 * 1.442695f) + 0.5f);
+        if (_e603 > -8388608f) {
+            let _e615 = f32(select(0i, select(select(i32(_e603), i32(-2147483648), (_e603 < bitcast<f32>(3472883712u))), 2147483647i, (_e603 > bitcast<f32>(1325400063u))), (_e603 == _e603)));
+            if (_e615 > _e603) {
+                phi_1549_ = 1f;
             } else {
-                phi_1457_ = 0f;
+                phi_1549_ = 0f;
             }
-            let _e617 = phi_1457_;
-            if (_e602 < 8388608f) {
-                phi_1462_ = (_e614 - _e617);
-                phi_1463_ = false;
+            let _e618 = phi_1549_;
+            if (_e603 < 8388608f) {
+                phi_1554_ = (_e615 - _e618);
+                phi_1555_ = false;
             } else {
-                phi_1462_ = f32();
-                phi_1463_ = true;
+                phi_1554_ = f32();
+                phi_1555_ = true;
             }
-            let _e620 = phi_1462_;
-            let _e622 = phi_1463_;
-            phi_1464_ = _e620;
-            phi_1465_ = _e622;
+            let _e621 = phi_1554_;
+            let _e623 = phi_1555_;
+            phi_1556_ = _e621;
+            phi_1557_ = _e623;
         } else {
-            phi_1464_ = f32();
-            phi_1465_ = true;
+            phi_1556_ = f32();
+            phi_1557_ = true;
         }
-        let _e624 = phi_1464_;
-        let _e626 = phi_1465_;
-        if _e626 {
-            phi_1469_ = _e602;
+        let _e625 = phi_1556_;
+        let _e627 = phi_1557_;
+        if _e627 {
+            phi_1561_ = _e603;
         } else {
-            phi_1469_ = _e624;
+            phi_1561_ = _e625;
         }
-        let _e628 = phi_1469_;
-        let _e632 = ((_e600 - (_e628 * 0.69314575f)) - (_e628 * 0.0000014286068f));
-        phi_1507_ = ((((((((((((((((1f / 5040f) * _e632) + (1f / 720f)) * _e632) + (1f / 120f)) * _e632) + (1f / 24f)) * _e632) + (1f / 6f)) * _e632) + 0.5f) * _e632) + 1f) * _e632) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e628), i32(-2147483648), (_e628 < bitcast<f32>(3472883712u))), 2147483647i, (_e628 > bitcast<f32>(1325400063u))), (_e628 == _e628)) + 127i)) << bitcast<u32>(23i))));
+        let _e629 = phi_1561_;
+        let _e633 = ((_e601 - (_e629 * 0.69314575f)) - (_e629 * 0.0000014286068f));
+        phi_1599_ = ((((((((((((((((1f / 5040f) * _e633) + (1f / 720f)) * _e633) + (1f / 120f)) * _e633) + (1f / 24f)) * _e633) + (1f / 6f)) * _e633) + 0.5f) * _e633) + 1f) * _e633) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e629), i32(-2147483648), (_e629 < bitcast<f32>(3472883712u))), 2147483647i, (_e629 > bitcast<f32>(1325400063u))), (_e629 == _e629)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e668 = phi_1507_;
-    if ((bitcast<u32>(_e437) & 2147483647u) > 2139095040u) {
-        phi_1595_ = _e437;
+    let _e669 = phi_1599_;
+    if ((bitcast<u32>(_e438) & 2147483647u) > 2139095040u) {
+        phi_1687_ = _e438;
     } else {
-        if (_e437 < -87f) {
-            phi_1518_ = -87f;
+        if (_e438 < -87f) {
+            phi_1610_ = -87f;
         } else {
-            phi_1518_ = _e437;
+            phi_1610_ = _e438;
         }
-        let _e674 = phi_1518_;
-        if (_e674 > 88f) {
-            phi_1523_ = 88f;
+        let _e675 = phi_1610_;
+        if (_e675 > 88f) {
+            phi_1615_ = 88f;
         } else {
-            phi_1523_ = _e674;
+            phi_1615_ = _e675;
         }
-        let _e677 = phi_1523_;
-        let _e679 = ((_e677 * 1.442695f) + 0.5f);
-        if (_e679 > -8388608f) {
-            let _e691 = f32(select(0i, select(select(i32(_e679), i32(-2147483648), (_e679 < bitcast<f32>(3472883712u))), 2147483647i, (_e679 > bitcast<f32>(1325400063u))), (_e679 == _e679)));
-            if (_e691 > _e679) {
-                phi_1545_ = 1f;
+        let _e678 = phi_1615_;
+        let _e680 = ((_e678 * 1.442695f) + 0.5f);
+        if (_e680 > -8388608f) {
+            let _e692 = f32(select(0i, select(select(i32(_e680), i32(-2147483648), (_e680 < bitcast<f32>(3472883712u))), 2147483647i, (_e680 > bitcast<f32>(1325400063u))), (_e680 == _e680)));
+            if (_e692 > _e680) {
+                phi_1637_ = 1f;
             } else {
-                phi_1545_ = 0f;
+                phi_1637_ = 0f;
             }
-            let _e694 = phi_1545_;
-            if (_e679 < 8388608f) {
-                phi_1550_ = (_e691 - _e694);
-                phi_1551_ = false;
+            let _e695 = phi_1637_;
+            if (_e680 < 8388608f) {
+                phi_1642_ = (_e692 - _e695);
+                phi_1643_ = false;
             } else {
-                phi_1550_ = f32();
-                phi_1551_ = true;
+                phi_1642_ = f32();
+                phi_1643_ = true;
             }
-            let _e697 = phi_1550_;
-            let _e699 = phi_1551_;
-            phi_1552_ = _e697;
-            phi_1553_ = _e699;
+            let _e698 = phi_1642_;
+            let _e700 = phi_1643_;
+            phi_1644_ = _e698;
+            phi_1645_ = _e700;
         } else {
-            phi_1552_ = f32();
-            phi_1553_ = true;
+            phi_1644_ = f32();
+            phi_1645_ = true;
         }
-        let _e701 = phi_1552_;
-        let _e703 = phi_1553_;
-        if _e703 {
-            phi_1557_ = _e679;
+        let _e702 = phi_1644_;
+        let _e704 = phi_1645_;
+        if _e704 {
+            phi_1649_ = _e680;
         } else {
-            phi_1557_ = _e701;
+            phi_1649_ = _e702;
         }
-        let _e705 = phi_1557_;
-        let _e709 = ((_e677 - (_e705 * 0.69314575f)) - (_e705 * 0.0000014286068f));
-        phi_1595_ = ((((((((((((((((1f / 5040f) * _e709) + (1f / 720f)) * _e709) + (1f / 120f)) * _e709) + (1f / 24f)) * _e709) + (1f / 6f)) * _e709) + 0.5f) * _e709) + 1f) * _e709) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e705), i32(-2147483648), (_e705 < bitcast<f32>(3472883712u))), 2147483647i, (_e705 > bitcast<f32>(1325400063u))), (_e705 == _e705)) + 127i)) << bitcast<u32>(23i))));
+        let _e706 = phi_1649_;
+        let _e710 = ((_e678 - (_e706 * 0.69314575f)) - (_e706 * 0.0000014286068f));
+        phi_1687_ = ((((((((((((((((1f / 5040f) * _e710) + (1f / 720f)) * _e710) + (1f / 120f)) * _e710) + (1f / 24f)) * _e710) + (1f / 6f)) * _e710) + 0.5f) * _e710) + 1f) * _e710) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e706), i32(-2147483648), (_e706 < bitcast<f32>(3472883712u))), 2147483647i, (_e706 > bitcast<f32>(1325400063u))), (_e706 == _e706)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e745 = phi_1595_;
-    let _e747 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e514);
-    let _e749 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e591);
-    let _e751 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e668);
-    let _e753 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e745);
-    let _e755 = (*param_6).min_variance;
-    let _e757 = ((_e755 * _e428) * _e428);
-    let _e768 = ((((_e747 * param_8.x) + (_e749 * param_8.y)) + (_e751 * param_8.z)) + (_e753 * param_8.w));
-    let _e769 = (_e747 - _e768);
-    let _e770 = (_e749 - _e768);
-    let _e771 = (_e751 - _e768);
-    let _e772 = (_e753 - _e768);
-    let _e787 = (((((_e769 * _e769) * param_8.x) + ((_e770 * _e770) * param_8.y)) + ((_e771 * _e771) * param_8.z)) + ((_e772 * _e772) * param_8.w));
-    if ((bitcast<u32>(_e757) & 2147483647u) > 2139095040u) {
-        phi_1648_ = true;
+    let _e746 = phi_1687_;
+    let _e748 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e515);
+    let _e750 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e592);
+    let _e752 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e669);
+    let _e754 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e746);
+    let _e756 = (*param_6).min_variance;
+    let _e758 = ((_e756 * _e429) * _e429);
+    let _e769 = ((((_e748 * param_8.x) + (_e750 * param_8.y)) + (_e752 * param_8.z)) + (_e754 * param_8.w));
+    let _e770 = (_e748 - _e769);
+    let _e771 = (_e750 - _e769);
+    let _e772 = (_e752 - _e769);
+    let _e773 = (_e754 - _e769);
+    let _e788 = (((((_e770 * _e770) * param_8.x) + ((_e771 * _e771) * param_8.y)) + ((_e772 * _e772) * param_8.z)) + ((_e773 * _e773) * param_8.w));
+    if ((bitcast<u32>(_e758) & 2147483647u) > 2139095040u) {
+        phi_1740_ = true;
     } else {
-        let _e791 = (_e757 > _e787);
-        if _e791 {
+        let _e792 = (_e758 > _e788);
+        if _e792 {
         }
-        phi_1648_ = _e791;
+        phi_1740_ = _e792;
     }
-    let _e793 = phi_1648_;
-    if _e793 {
-        phi_1652_ = _e757;
+    let _e794 = phi_1740_;
+    if _e794 {
+        phi_1744_ = _e758;
     } else {
-        phi_1652_ = _e787;
+        phi_1744_ = _e788;
     }
-    let _e795 = phi_1652_;
-    let _e796 = -(_e768);
-    if (_e796 <= 0f) {
-        let _e800 = ((bitcast<u32>(_e795) & 2147483647u) > 2139095040u);
-        if _e800 {
+    let _e796 = phi_1744_;
+    let _e797 = -(_e769);
+    if (_e797 <= 0f) {
+        let _e801 = ((bitcast<u32>(_e796) & 2147483647u) > 2139095040u);
+        if _e801 {
         }
-        phi_1664_ = _e800;
+        phi_1756_ = _e801;
     } else {
-        phi_1664_ = true;
+        phi_1756_ = true;
     }
-    let _e802 = phi_1664_;
-    if _e802 {
-        phi_1671_ = (_e795 / (_e795 + (_e796 * _e796)));
+    let _e803 = phi_1756_;
+    if _e803 {
+        phi_1763_ = (_e796 / (_e796 + (_e797 * _e797)));
     } else {
-        phi_1671_ = 1f;
+        phi_1763_ = 1f;
     }
-    let _e807 = phi_1671_;
-    if ((bitcast<u32>(_e807) & 2147483647u) > 2139095040u) {
-        phi_1682_ = true;
+    let _e808 = phi_1763_;
+    if ((bitcast<u32>(_e808) & 2147483647u) > 2139095040u) {
+        phi_1774_ = true;
     } else {
-        let _e811 = (_e807 < _e427);
-        if _e811 {
+        let _e812 = (_e808 < _e428);
+        if _e812 {
         }
-        phi_1682_ = _e811;
+        phi_1774_ = _e812;
     }
-    let _e813 = phi_1682_;
-    if _e813 {
-        phi_1686_ = _e807;
+    let _e814 = phi_1774_;
+    if _e814 {
+        phi_1778_ = _e808;
     } else {
-        phi_1686_ = _e427;
+        phi_1778_ = _e428;
     }
-    let _e815 = phi_1686_;
-    if ((bitcast<u32>(_e815) & 2147483647u) > 2139095040u) {
-        phi_1703_ = _e815;
+    let _e816 = phi_1778_;
+    if ((bitcast<u32>(_e816) & 2147483647u) > 2139095040u) {
+        phi_1795_ = _e816;
     } else {
-        if (_e815 < 0f) {
-            phi_1702_ = 0f;
+        if (_e816 < 0f) {
+            phi_1794_ = 0f;
         } else {
-            if (_e815 > 1f) {
-                phi_1701_ = 1f;
+            if (_e816 > 1f) {
+                phi_1793_ = 1f;
             } else {
-                phi_1701_ = _e815;
+                phi_1793_ = _e816;
             }
-            let _e822 = phi_1701_;
-            phi_1702_ = _e822;
+            let _e823 = phi_1793_;
+            phi_1794_ = _e823;
         }
-        let _e824 = phi_1702_;
-        phi_1703_ = _e824;
+        let _e825 = phi_1794_;
+        phi_1795_ = _e825;
     }
-    let _e826 = phi_1703_;
-    return _e826;
+    let _e827 = phi_1795_;
+    return _e827;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_9: ptr<function, lt_math_Evsm>, param_10: vec4<f32>, param_11: vec4<f32>, param_12: f32) -> f32 {
-    var phi_658_: f32;
-    var phi_659_: f32;
-    var phi_660_: f32;
-    var phi_676_: f32;
-    var phi_677_: f32;
-    var phi_678_: f32;
-    var phi_694_: f32;
-    var phi_695_: f32;
-    var phi_696_: f32;
-    var phi_712_: f32;
-    var phi_713_: f32;
-    var phi_714_: f32;
-    var phi_730_: f32;
-    var phi_731_: f32;
-    var phi_732_: f32;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: bool;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_783_: bool;
-    var phi_787_: bool;
-    var phi_792_: f32;
+    var phi_750_: f32;
+    var phi_751_: f32;
+    var phi_752_: f32;
+    var phi_768_: f32;
+    var phi_769_: f32;
+    var phi_770_: f32;
+    var phi_786_: f32;
+    var phi_787_: f32;
+    var phi_788_: f32;
+    var phi_804_: f32;
+    var phi_805_: f32;
+    var phi_806_: f32;
+    var phi_822_: f32;
+    var phi_823_: f32;
+    var phi_824_: f32;
+    var phi_861_: bool;
+    var phi_862_: bool;
+    var phi_863_: bool;
+    var phi_864_: bool;
+    var phi_865_: bool;
+    var phi_866_: bool;
+    var phi_867_: bool;
+    var phi_868_: bool;
+    var phi_869_: bool;
+    var phi_870_: bool;
+    var phi_871_: bool;
+    var phi_875_: bool;
+    var phi_879_: bool;
+    var phi_884_: f32;
 
     if ((bitcast<u32>(param_12) & 2147483647u) > 2139095040u) {
-        phi_660_ = param_12;
+        phi_752_ = param_12;
     } else {
         if (param_12 < 0f) {
-            phi_659_ = 0f;
+            phi_751_ = 0f;
         } else {
             if (param_12 > 1f) {
-                phi_658_ = 1f;
+                phi_750_ = 1f;
             } else {
-                phi_658_ = param_12;
+                phi_750_ = param_12;
             }
-            let _e56 = phi_658_;
-            phi_659_ = _e56;
+            let _e57 = phi_750_;
+            phi_751_ = _e57;
         }
-        let _e58 = phi_659_;
-        phi_660_ = _e58;
+        let _e59 = phi_751_;
+        phi_752_ = _e59;
     }
-    let _e60 = phi_660_;
+    let _e61 = phi_752_;
     if ((bitcast<u32>(param_10.x) & 2147483647u) > 2139095040u) {
-        phi_678_ = param_10.x;
+        phi_770_ = param_10.x;
     } else {
         if (param_10.x < 0f) {
-            phi_677_ = 0f;
+            phi_769_ = 0f;
         } else {
             if (param_10.x > 1f) {
-                phi_676_ = 1f;
+                phi_768_ = 1f;
             } else {
-                phi_676_ = param_10.x;
+                phi_768_ = param_10.x;
             }
-            let _e68 = phi_676_;
-            phi_677_ = _e68;
+            let _e69 = phi_768_;
+            phi_769_ = _e69;
         }
-        let _e70 = phi_677_;
-        phi_678_ = _e70;
+        let _e71 = phi_769_;
+        phi_770_ = _e71;
     }
-    let _e72 = phi_678_;
+    let _e73 = phi_770_;
     if ((bitcast<u32>(param_10.y) & 2147483647u) > 2139095040u) {
-        phi_696_ = param_10.y;
+        phi_788_ = param_10.y;
     } else {
         if (param_10.y < 0f) {
-            phi_695_ = 0f;
+            phi_787_ = 0f;
         } else {
             if (param_10.y > 1f) {
-                phi_694_ = 1f;
+                phi_786_ = 1f;
             } else {
-                phi_694_ = param_10.y;
+                phi_786_ = param_10.y;
             }
-            let _e80 = phi_694_;
-            phi_695_ = _e80;
+            let _e81 = phi_786_;
+            phi_787_ = _e81;
         }
-        let _e82 = phi_695_;
-        phi_696_ = _e82;
+        let _e83 = phi_787_;
+        phi_788_ = _e83;
     }
-    let _e84 = phi_696_;
+    let _e85 = phi_788_;
     if ((bitcast<u32>(param_10.z) & 2147483647u) > 2139095040u) {
-        phi_714_ = param_10.z;
+        phi_806_ = param_10.z;
     } else {
         if (param_10.z < 0f) {
-            phi_713_ = 0f;
+            phi_805_ = 0f;
         } else {
             if (param_10.z > 1f) {
-                phi_712_ = 1f;
+                phi_804_ = 1f;
             } else {
-                phi_712_ = param_10.z;
+                phi_804_ = param_10.z;
             }
-            let _e92 = phi_712_;
-            phi_713_ = _e92;
+            let _e93 = phi_804_;
+            phi_805_ = _e93;
         }
-        let _e94 = phi_713_;
-        phi_714_ = _e94;
+        let _e95 = phi_805_;
+        phi_806_ = _e95;
     }
-    let _e96 = phi_714_;
+    let _e97 = phi_806_;
     if ((bitcast<u32>(param_10.w) & 2147483647u) > 2139095040u) {
-        phi_732_ = param_10.w;
+        phi_824_ = param_10.w;
     } else {
         if (param_10.w < 0f) {
-            phi_731_ = 0f;
+            phi_823_ = 0f;
         } else {
             if (param_10.w > 1f) {
-                phi_730_ = 1f;
+                phi_822_ = 1f;
             } else {
-                phi_730_ = param_10.w;
+                phi_822_ = param_10.w;
             }
-            let _e104 = phi_730_;
-            phi_731_ = _e104;
+            let _e105 = phi_822_;
+            phi_823_ = _e105;
         }
-        let _e106 = phi_731_;
-        phi_732_ = _e106;
+        let _e107 = phi_823_;
+        phi_824_ = _e107;
     }
-    let _e108 = phi_732_;
-    let _e109 = (_e72 - _e60);
-    let _e110 = (_e84 - _e60);
-    let _e111 = (_e96 - _e60);
-    let _e112 = (_e108 - _e60);
-    if (_e109 >= 0f) {
-        if (_e110 >= 0f) {
-            if (_e111 >= 0f) {
-                if (_e112 >= 0f) {
-                    phi_769_ = !(((bitcast<u32>(((((_e109 * param_11.x) + (_e110 * param_11.y)) + (_e111 * param_11.z)) + (_e112 * param_11.w))) & 2147483647u) > 2139095040u));
-                    phi_770_ = false;
+    let _e109 = phi_824_;
+    let _e110 = (_e73 - _e61);
+    let _e111 = (_e85 - _e61);
+    let _e112 = (_e97 - _e61);
+    let _e113 = (_e109 - _e61);
+    if (_e110 >= 0f) {
+        if (_e111 >= 0f) {
+            if (_e112 >= 0f) {
+                if (_e113 >= 0f) {
+                    phi_861_ = !(((bitcast<u32>(((((_e110 * param_11.x) + (_e111 * param_11.y)) + (_e112 * param_11.z)) + (_e113 * param_11.w))) & 2147483647u) > 2139095040u));
+                    phi_862_ = false;
                 } else {
-                    phi_769_ = bool();
-                    phi_770_ = true;
+                    phi_861_ = bool();
+                    phi_862_ = true;
                 }
-                let _e134 = phi_769_;
-                let _e136 = phi_770_;
-                phi_771_ = _e134;
-                phi_772_ = false;
-                phi_773_ = _e136;
+                let _e135 = phi_861_;
+                let _e137 = phi_862_;
+                phi_863_ = _e135;
+                phi_864_ = false;
+                phi_865_ = _e137;
             } else {
-                phi_771_ = bool();
-                phi_772_ = true;
-                phi_773_ = false;
+                phi_863_ = bool();
+                phi_864_ = true;
+                phi_865_ = false;
             }
-            let _e138 = phi_771_;
-            let _e140 = phi_772_;
-            let _e142 = phi_773_;
-            phi_774_ = _e138;
-            phi_775_ = _e140;
-            phi_776_ = _e142;
+            let _e139 = phi_863_;
+            let _e141 = phi_864_;
+            let _e143 = phi_865_;
+            phi_866_ = _e139;
+            phi_867_ = _e141;
+            phi_868_ = _e143;
         } else {
-            phi_774_ = bool();
-            phi_775_ = true;
-            phi_776_ = false;
+            phi_866_ = bool();
+            phi_867_ = true;
+            phi_868_ = false;
         }
-        let _e144 = phi_774_;
-        let _e146 = phi_775_;
-        let _e148 = phi_776_;
-        phi_777_ = _e144;
-        phi_778_ = _e146;
-        phi_779_ = _e148;
+        let _e145 = phi_866_;
+        let _e147 = phi_867_;
+        let _e149 = phi_868_;
+        phi_869_ = _e145;
+        phi_870_ = _e147;
+        phi_871_ = _e149;
     } else {
-        phi_777_ = bool();
-        phi_778_ = true;
-        phi_779_ = false;
+        phi_869_ = bool();
+        phi_870_ = true;
+        phi_871_ = false;
     }
-    let _e150 = phi_777_;
-    let _e152 = phi_778_;
-    let _e154 = phi_779_;
-    if _e152 {
-        phi_783_ = true;
+    let _e151 = phi_869_;
+    let _e153 = phi_870_;
+    let _e155 = phi_871_;
+    if _e153 {
+        phi_875_ = true;
     } else {
-        phi_783_ = _e154;
+        phi_875_ = _e155;
     }
-    let _e156 = phi_783_;
-    if _e156 {
-        phi_787_ = false;
+    let _e157 = phi_875_;
+    if _e157 {
+        phi_879_ = false;
     } else {
-        phi_787_ = _e150;
+        phi_879_ = _e151;
     }
-    let _e158 = phi_787_;
-    if _e158 {
-        phi_792_ = 1f;
+    let _e159 = phi_879_;
+    if _e159 {
+        phi_884_ = 1f;
     } else {
-        let _e159 = _lt_math_evsm_Evsm_bound_of_offsets(param_9, vec4<f32>(_e109, _e110, _e111, _e112), param_11);
-        phi_792_ = _e159;
+        let _e160 = _lt_math_evsm_Evsm_bound_of_offsets(param_9, vec4<f32>(_e110, _e111, _e112, _e113), param_11);
+        phi_884_ = _e160;
     }
-    let _e161 = phi_792_;
-    return _e161;
+    let _e162 = phi_884_;
+    return _e162;
 }
 
 fn function_() {
     var local: lt_math_Evsm;
-    var phi_252_: bool;
-    var phi_253_: bool;
     var phi_254_: bool;
     var phi_255_: bool;
-    var phi_259_: bool;
-    var phi_303_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_307_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_384_: bool;
-    var phi_393_: bool;
-    var phi_402_: bool;
-    var phi_403_: bool;
+    var phi_256_: bool;
+    var phi_257_: bool;
+    var phi_261_: bool;
+    var phi_305_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_309_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_386_: bool;
+    var phi_395_: bool;
     var phi_404_: bool;
     var phi_405_: bool;
     var phi_406_: bool;
     var phi_407_: bool;
     var phi_408_: bool;
-    var phi_412_: bool;
-    var phi_448_: f32;
-    var phi_453_: f32;
-    var phi_454_: bool;
-    var phi_455_: f32;
-    var phi_456_: bool;
-    var phi_460_: f32;
-    var phi_480_: f32;
-    var phi_485_: f32;
-    var phi_486_: bool;
-    var phi_487_: f32;
-    var phi_488_: bool;
-    var phi_492_: f32;
-    var phi_542_: i32;
-    var phi_547_: i32;
-    var phi_552_: i32;
-    var phi_557_: i32;
-    var phi_566_: i32;
-    var phi_571_: i32;
-    var phi_576_: i32;
-    var phi_581_: i32;
-    var phi_622_: evaluate_Verdict;
-    var phi_623_: evaluate_Verdict;
-    var phi_624_: bool;
-    var phi_625_: evaluate_Verdict;
-    var phi_626_: evaluate_Verdict;
-    var phi_627_: bool;
-    var phi_631_: evaluate_Verdict;
+    var phi_409_: bool;
+    var phi_410_: bool;
+    var phi_414_: bool;
+    var phi_508_: f32;
+    var phi_511_: f32;
+    var phi_540_: f32;
+    var phi_545_: f32;
+    var phi_546_: bool;
+    var phi_547_: f32;
+    var phi_548_: bool;
+    var phi_552_: f32;
+    var phi_572_: f32;
+    var phi_577_: f32;
+    var phi_578_: bool;
+    var phi_579_: f32;
+    var phi_580_: bool;
+    var phi_584_: f32;
+    var phi_634_: i32;
+    var phi_639_: i32;
+    var phi_644_: i32;
+    var phi_649_: i32;
+    var phi_658_: i32;
+    var phi_663_: i32;
+    var phi_668_: i32;
+    var phi_673_: i32;
+    var phi_714_: evaluate_Verdict;
+    var phi_715_: evaluate_Verdict;
+    var phi_716_: bool;
+    var phi_717_: evaluate_Verdict;
+    var phi_718_: evaluate_Verdict;
+    var phi_719_: bool;
+    var phi_723_: evaluate_Verdict;
 
-    let _e47 = id_1;
-    let _e54 = arrayLength((&map.member));
-    let _e60 = p.member.size[0u];
-    let _e62 = p.member.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        if (_e63.first_primitive < arrayLength((&samples.member))) {
+    let _e48 = id_1;
+    let _e55 = arrayLength((&map.member));
+    let _e61 = p.member.size[0u];
+    let _e63 = p.member.size[1u];
+    let _e64 = lt_shaders_entry_pixel_index(_e48, _e61, _e63);
+    if (bitcast<i32>(_e64.root) != 0i) {
+        if (_e64.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e72 = p.member.light;
-        let _e75 = samples.member[(0u + _e63.first_primitive)].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[(0u + _e63.first_primitive)].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[(0u + _e63.first_primitive)].normal[2u];
-                let _e87 = global[2u];
-                phi_252_ = (_e85 == _e87);
-                phi_253_ = false;
+        let _e73 = p.member.light;
+        let _e76 = samples.member[(0u + _e64.first_primitive)].normal[0u];
+        let _e78 = global[0u];
+        if (_e76 == _e78) {
+            let _e81 = samples.member[(0u + _e64.first_primitive)].normal[1u];
+            let _e83 = global[1u];
+            if (_e81 == _e83) {
+                let _e86 = samples.member[(0u + _e64.first_primitive)].normal[2u];
+                let _e88 = global[2u];
+                phi_254_ = (_e86 == _e88);
+                phi_255_ = false;
             } else {
-                phi_252_ = bool();
-                phi_253_ = true;
+                phi_254_ = bool();
+                phi_255_ = true;
             }
-            let _e90 = phi_252_;
-            let _e92 = phi_253_;
-            phi_254_ = _e90;
-            phi_255_ = _e92;
+            let _e91 = phi_254_;
+            let _e93 = phi_255_;
+            phi_256_ = _e91;
+            phi_257_ = _e93;
         } else {
-            phi_254_ = bool();
-            phi_255_ = true;
+            phi_256_ = bool();
+            phi_257_ = true;
         }
-        let _e94 = phi_254_;
-        let _e96 = phi_255_;
-        if _e96 {
-            phi_259_ = false;
+        let _e95 = phi_256_;
+        let _e97 = phi_257_;
+        if _e97 {
+            phi_261_ = false;
         } else {
-            phi_259_ = _e94;
+            phi_261_ = _e95;
         }
-        let _e98 = phi_259_;
-        if !(_e98) {
-            let _e101 = samples.member[(0u + _e63.first_primitive)].normal;
-            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[(0u + _e63.first_primitive)].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_303_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
+        let _e99 = phi_261_;
+        if !(_e99) {
+            let _e102 = samples.member[(0u + _e64.first_primitive)].normal;
+            let _e104 = samples.member[(0u + _e64.first_primitive)].position;
+            if ((((_e102.x * (_e73.x - (_e104.x * _e73.w))) + (_e102.y * (_e73.y - (_e104.y * _e73.w)))) + (_e102.z * (_e73.z - (_e104.z * _e73.w)))) > 0f) {
+                let _e128 = samples.member[(0u + _e64.first_primitive)].flags;
+                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
+                phi_305_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
             } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_303_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
+                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
+                phi_305_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
             }
-            let _e161 = phi_303_;
-            phi_307_ = _e161;
+            let _e162 = phi_305_;
+            phi_309_ = _e162;
         } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_307_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
+            let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+            phi_309_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
         }
-        let _e178 = phi_307_;
-        if _e178.unnamed_1 {
-            phi_625_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
-            phi_626_ = evaluate_Verdict();
-            phi_627_ = true;
+        let _e179 = phi_309_;
+        if _e179.unnamed_1 {
+            phi_717_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
+            phi_718_ = evaluate_Verdict();
+            phi_719_ = true;
         } else {
-            let _e186 = samples.member[(0u + _e63.first_primitive)].position;
-            let _e192 = p.member.projection.row_w;
-            let _e203 = ((((_e192.x * _e186.x) + (_e192.y * _e186.y)) + (_e192.z * _e186.z)) + (_e192.w * 1f));
-            let _e205 = p.member.projection.row_x;
-            let _e217 = (((((_e205.x * _e186.x) + (_e205.y * _e186.y)) + (_e205.z * _e186.z)) + (_e205.w * 1f)) / _e203);
-            let _e219 = p.member.projection.row_y;
-            let _e231 = (((((_e219.x * _e186.x) + (_e219.y * _e186.y)) + (_e219.z * _e186.z)) + (_e219.w * 1f)) / _e203);
-            let _e233 = p.member.projection.row_z;
-            let _e244 = ((((_e233.x * _e186.x) + (_e233.y * _e186.y)) + (_e233.z * _e186.z)) + (_e233.w * 1f));
-            if (_e203 > 0f) {
-                if (_e217 >= 0f) {
-                    phi_384_ = (_e217 <= 1f);
+            let _e187 = samples.member[(0u + _e64.first_primitive)].position;
+            let _e193 = p.member.projection.row_w;
+            let _e204 = ((((_e193.x * _e187.x) + (_e193.y * _e187.y)) + (_e193.z * _e187.z)) + (_e193.w * 1f));
+            let _e206 = p.member.projection.row_x;
+            let _e218 = (((((_e206.x * _e187.x) + (_e206.y * _e187.y)) + (_e206.z * _e187.z)) + (_e206.w * 1f)) / _e204);
+            let _e220 = p.member.projection.row_y;
+            let _e232 = (((((_e220.x * _e187.x) + (_e220.y * _e187.y)) + (_e220.z * _e187.z)) + (_e220.w * 1f)) / _e204);
+            let _e234 = p.member.projection.row_z;
+            let _e245 = ((((_e234.x * _e187.x) + (_e234.y * _e187.y)) + (_e234.z * _e187.z)) + (_e234.w * 1f));
+            if (_e204 > 0f) {
+                if (_e218 >= 0f) {
+                    phi_386_ = (_e218 <= 1f);
                 } else {
-                    phi_384_ = false;
+                    phi_386_ = false;
                 }
-                let _e249 = phi_384_;
-                if _e249 {
-                    if (_e231 >= 0f) {
-                        phi_393_ = (_e231 <= 1f);
+                let _e250 = phi_386_;
+                if _e250 {
+                    if (_e232 >= 0f) {
+                        phi_395_ = (_e232 <= 1f);
                     } else {
-                        phi_393_ = false;
+                        phi_395_ = false;
                     }
-                    let _e253 = phi_393_;
-                    if _e253 {
-                        if (_e244 >= 0f) {
-                            phi_402_ = (_e244 <= 1f);
+                    let _e254 = phi_395_;
+                    if _e254 {
+                        if (_e245 >= 0f) {
+                            phi_404_ = (_e245 <= 1f);
                         } else {
-                            phi_402_ = false;
+                            phi_404_ = false;
                         }
-                        let _e257 = phi_402_;
-                        phi_403_ = _e257;
-                        phi_404_ = false;
+                        let _e258 = phi_404_;
+                        phi_405_ = _e258;
+                        phi_406_ = false;
                     } else {
-                        phi_403_ = bool();
-                        phi_404_ = true;
+                        phi_405_ = bool();
+                        phi_406_ = true;
                     }
-                    let _e259 = phi_403_;
-                    let _e261 = phi_404_;
-                    phi_405_ = _e259;
-                    phi_406_ = _e261;
+                    let _e260 = phi_405_;
+                    let _e262 = phi_406_;
+                    phi_407_ = _e260;
+                    phi_408_ = _e262;
                 } else {
-                    phi_405_ = bool();
-                    phi_406_ = true;
+                    phi_407_ = bool();
+                    phi_408_ = true;
                 }
-                let _e263 = phi_405_;
-                let _e265 = phi_406_;
-                phi_407_ = _e263;
-                phi_408_ = _e265;
+                let _e264 = phi_407_;
+                let _e266 = phi_408_;
+                phi_409_ = _e264;
+                phi_410_ = _e266;
             } else {
-                phi_407_ = bool();
-                phi_408_ = true;
+                phi_409_ = bool();
+                phi_410_ = true;
             }
-            let _e267 = phi_407_;
-            let _e269 = phi_408_;
-            if _e269 {
-                phi_412_ = false;
+            let _e268 = phi_409_;
+            let _e270 = phi_410_;
+            if _e270 {
+                phi_414_ = false;
             } else {
-                phi_412_ = _e267;
+                phi_414_ = _e268;
             }
-            let _e271 = phi_412_;
-            if _e271 {
-                let _e273 = p.member.map_size;
-                let _e274 = f32(_e273);
-                let _e277 = ((_e217 * _e274) - 0.5f);
-                let _e278 = ((_e231 * _e274) - 0.5f);
-                if (_e277 > -8388608f) {
-                    let _e290 = f32(select(0i, select(select(i32(_e277), i32(-2147483648), (_e277 < bitcast<f32>(3472883712u))), 2147483647i, (_e277 > bitcast<f32>(1325400063u))), (_e277 == _e277)));
-                    if (_e290 > _e277) {
-                        phi_448_ = 1f;
+            let _e272 = phi_414_;
+            if _e272 {
+                if (0f > 0f) {
+                    let _e275 = samples.member[(0u + _e64.first_primitive)].normal;
+                    let _e277 = p.member.map_size;
+                    let _e280 = p.member.projection.row_x;
+                    let _e302 = p.member.projection.row_y;
+                    let _e324 = p.member.projection.row_z;
+                    let _e351 = ((abs(((((_e280.x * _e275.x) + (_e280.y * _e275.y)) + (_e280.z * _e275.z)) / (((_e280.x * _e280.x) + (_e280.y * _e280.y)) + (_e280.z * _e280.z)))) + abs(((((_e302.x * _e275.x) + (_e302.y * _e275.y)) + (_e302.z * _e275.z)) / (((_e302.x * _e302.x) + (_e302.y * _e302.y)) + (_e302.z * _e302.z))))) / (abs(((((_e324.x * _e275.x) + (_e324.y * _e275.y)) + (_e324.z * _e275.z)) / (((_e324.x * _e324.x) + (_e324.y * _e324.y)) + (_e324.z * _e324.z)))) * f32(_e277)));
+                    if (_e351 < 0.002f) {
+                        phi_508_ = _e351;
                     } else {
-                        phi_448_ = 0f;
+                        phi_508_ = 0.002f;
                     }
-                    let _e293 = phi_448_;
-                    if (_e277 < 8388608f) {
-                        phi_453_ = (_e290 - _e293);
-                        phi_454_ = false;
+                    let _e354 = phi_508_;
+                    phi_511_ = (_e245 - (0f * _e354));
+                } else {
+                    phi_511_ = _e245;
+                }
+                let _e358 = phi_511_;
+                let _e360 = p.member.map_size;
+                let _e361 = f32(_e360);
+                let _e364 = ((_e218 * _e361) - 0.5f);
+                let _e365 = ((_e232 * _e361) - 0.5f);
+                if (_e364 > -8388608f) {
+                    let _e377 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
+                    if (_e377 > _e364) {
+                        phi_540_ = 1f;
                     } else {
-                        phi_453_ = f32();
-                        phi_454_ = true;
+                        phi_540_ = 0f;
                     }
-                    let _e296 = phi_453_;
-                    let _e298 = phi_454_;
-                    phi_455_ = _e296;
-                    phi_456_ = _e298;
-                } else {
-                    phi_455_ = f32();
-                    phi_456_ = true;
-                }
-                let _e300 = phi_455_;
-                let _e302 = phi_456_;
-                if _e302 {
-                    phi_460_ = _e277;
-                } else {
-                    phi_460_ = _e300;
-                }
-                let _e304 = phi_460_;
-                if (_e278 > -8388608f) {
-                    let _e316 = f32(select(0i, select(select(i32(_e278), i32(-2147483648), (_e278 < bitcast<f32>(3472883712u))), 2147483647i, (_e278 > bitcast<f32>(1325400063u))), (_e278 == _e278)));
-                    if (_e316 > _e278) {
-                        phi_480_ = 1f;
+                    let _e380 = phi_540_;
+                    if (_e364 < 8388608f) {
+                        phi_545_ = (_e377 - _e380);
+                        phi_546_ = false;
                     } else {
-                        phi_480_ = 0f;
+                        phi_545_ = f32();
+                        phi_546_ = true;
                     }
-                    let _e319 = phi_480_;
-                    if (_e278 < 8388608f) {
-                        phi_485_ = (_e316 - _e319);
-                        phi_486_ = false;
+                    let _e383 = phi_545_;
+                    let _e385 = phi_546_;
+                    phi_547_ = _e383;
+                    phi_548_ = _e385;
+                } else {
+                    phi_547_ = f32();
+                    phi_548_ = true;
+                }
+                let _e387 = phi_547_;
+                let _e389 = phi_548_;
+                if _e389 {
+                    phi_552_ = _e364;
+                } else {
+                    phi_552_ = _e387;
+                }
+                let _e391 = phi_552_;
+                if (_e365 > -8388608f) {
+                    let _e403 = f32(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)));
+                    if (_e403 > _e365) {
+                        phi_572_ = 1f;
                     } else {
-                        phi_485_ = f32();
-                        phi_486_ = true;
+                        phi_572_ = 0f;
                     }
-                    let _e322 = phi_485_;
-                    let _e324 = phi_486_;
-                    phi_487_ = _e322;
-                    phi_488_ = _e324;
+                    let _e406 = phi_572_;
+                    if (_e365 < 8388608f) {
+                        phi_577_ = (_e403 - _e406);
+                        phi_578_ = false;
+                    } else {
+                        phi_577_ = f32();
+                        phi_578_ = true;
+                    }
+                    let _e409 = phi_577_;
+                    let _e411 = phi_578_;
+                    phi_579_ = _e409;
+                    phi_580_ = _e411;
                 } else {
-                    phi_487_ = f32();
-                    phi_488_ = true;
+                    phi_579_ = f32();
+                    phi_580_ = true;
                 }
-                let _e326 = phi_487_;
-                let _e328 = phi_488_;
-                if _e328 {
-                    phi_492_ = _e278;
+                let _e413 = phi_579_;
+                let _e415 = phi_580_;
+                if _e415 {
+                    phi_584_ = _e365;
                 } else {
-                    phi_492_ = _e326;
+                    phi_584_ = _e413;
                 }
-                let _e330 = phi_492_;
-                let _e331 = (_e277 - _e304);
-                let _e332 = (_e278 - _e330);
-                let _e341 = select(0i, select(select(i32(_e304), i32(-2147483648), (_e304 < bitcast<f32>(3472883712u))), 2147483647i, (_e304 > bitcast<f32>(1325400063u))), (_e304 == _e304));
-                let _e350 = select(0i, select(select(i32(_e330), i32(-2147483648), (_e330 < bitcast<f32>(3472883712u))), 2147483647i, (_e330 > bitcast<f32>(1325400063u))), (_e330 == _e330));
-                let _e361 = p.member.test;
-                let _e362 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e361);
-                let _e364 = p.member.map_size;
-                local = lt_math_Evsm(_e362.positive_exponent, _e362.negative_exponent, _e362.min_variance);
-                let _e370 = (bitcast<i32>(_e364) - 1i);
-                if (_e341 > 0i) {
-                    phi_542_ = _e341;
+                let _e417 = phi_584_;
+                let _e418 = (_e364 - _e391);
+                let _e419 = (_e365 - _e417);
+                let _e428 = select(0i, select(select(i32(_e391), i32(-2147483648), (_e391 < bitcast<f32>(3472883712u))), 2147483647i, (_e391 > bitcast<f32>(1325400063u))), (_e391 == _e391));
+                let _e437 = select(0i, select(select(i32(_e417), i32(-2147483648), (_e417 < bitcast<f32>(3472883712u))), 2147483647i, (_e417 > bitcast<f32>(1325400063u))), (_e417 == _e417));
+                let _e448 = p.member.test;
+                let _e449 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e448);
+                let _e451 = p.member.map_size;
+                local = lt_math_Evsm(_e449.positive_exponent, _e449.negative_exponent, _e449.min_variance);
+                let _e457 = (bitcast<i32>(_e451) - 1i);
+                if (_e428 > 0i) {
+                    phi_634_ = _e428;
                 } else {
-                    phi_542_ = 0i;
+                    phi_634_ = 0i;
                 }
-                let _e373 = phi_542_;
-                if (_e350 > 0i) {
-                    phi_547_ = _e350;
+                let _e460 = phi_634_;
+                if (_e437 > 0i) {
+                    phi_639_ = _e437;
                 } else {
-                    phi_547_ = 0i;
+                    phi_639_ = 0i;
                 }
-                let _e376 = phi_547_;
-                if (_e373 < _e370) {
-                    phi_552_ = _e373;
+                let _e463 = phi_639_;
+                if (_e460 < _e457) {
+                    phi_644_ = _e460;
                 } else {
-                    phi_552_ = _e370;
+                    phi_644_ = _e457;
                 }
-                let _e379 = phi_552_;
-                if (_e376 < _e370) {
-                    phi_557_ = _e376;
+                let _e466 = phi_644_;
+                if (_e463 < _e457) {
+                    phi_649_ = _e463;
                 } else {
-                    phi_557_ = _e370;
+                    phi_649_ = _e457;
                 }
-                let _e382 = phi_557_;
-                let _e383 = bitcast<u32>(_e379);
-                let _e385 = (_e341 + 1i);
-                let _e386 = (_e350 + 1i);
-                if (_e385 > 0i) {
-                    phi_566_ = _e385;
+                let _e469 = phi_649_;
+                let _e470 = bitcast<u32>(_e466);
+                let _e472 = (_e428 + 1i);
+                let _e473 = (_e437 + 1i);
+                if (_e472 > 0i) {
+                    phi_658_ = _e472;
                 } else {
-                    phi_566_ = 0i;
+                    phi_658_ = 0i;
                 }
-                let _e389 = phi_566_;
-                if (_e386 > 0i) {
-                    phi_571_ = _e386;
+                let _e476 = phi_658_;
+                if (_e473 > 0i) {
+                    phi_663_ = _e473;
                 } else {
-                    phi_571_ = 0i;
+                    phi_663_ = 0i;
                 }
-                let _e392 = phi_571_;
-                if (_e389 < _e370) {
-                    phi_576_ = _e389;
+                let _e479 = phi_663_;
+                if (_e476 < _e457) {
+                    phi_668_ = _e476;
                 } else {
-                    phi_576_ = _e370;
+                    phi_668_ = _e457;
                 }
-                let _e395 = phi_576_;
-                if (_e392 < _e370) {
-                    phi_581_ = _e392;
+                let _e482 = phi_668_;
+                if (_e479 < _e457) {
+                    phi_673_ = _e479;
                 } else {
-                    phi_581_ = _e370;
+                    phi_673_ = _e457;
                 }
-                let _e398 = phi_581_;
-                let _e399 = bitcast<u32>(_e395);
-                let _e401 = (bitcast<u32>(_e382) * _e364);
-                let _e402 = (bitcast<u32>(_e398) * _e364);
-                let _e403 = (_e401 + _e383);
-                let _e404 = (_e401 + _e399);
-                let _e405 = (_e402 + _e383);
-                let _e406 = (_e402 + _e399);
-                if (_e403 < _e54) {
+                let _e485 = phi_673_;
+                let _e486 = bitcast<u32>(_e482);
+                let _e488 = (bitcast<u32>(_e469) * _e451);
+                let _e489 = (bitcast<u32>(_e485) * _e451);
+                let _e490 = (_e488 + _e470);
+                let _e491 = (_e488 + _e486);
+                let _e492 = (_e489 + _e470);
+                let _e493 = (_e489 + _e486);
+                if (_e490 < _e55) {
                 } else {
                     return;
                 }
-                let _e410 = map.member[(0u + _e403)];
-                if (_e404 < _e54) {
+                let _e497 = map.member[(0u + _e490)];
+                if (_e491 < _e55) {
                 } else {
                     return;
                 }
-                let _e414 = map.member[(0u + _e404)];
-                if (_e405 < _e54) {
+                let _e501 = map.member[(0u + _e491)];
+                if (_e492 < _e55) {
                 } else {
                     return;
                 }
-                let _e418 = map.member[(0u + _e405)];
-                if (_e406 < _e54) {
+                let _e505 = map.member[(0u + _e492)];
+                if (_e493 < _e55) {
                 } else {
                     return;
                 }
-                let _e422 = map.member[(0u + _e406)];
-                let _e424 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e410, _e414, _e418, _e422), vec4<f32>(((1f - _e331) * (1f - _e332)), (_e331 * (1f - _e332)), ((1f - _e331) * _e332), (_e331 * _e332)), _e244);
-                phi_622_ = evaluate_Verdict(_e424, false);
-                phi_623_ = evaluate_Verdict();
-                phi_624_ = false;
+                let _e509 = map.member[(0u + _e493)];
+                let _e511 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e497, _e501, _e505, _e509), vec4<f32>(((1f - _e418) * (1f - _e419)), (_e418 * (1f - _e419)), ((1f - _e418) * _e419), (_e418 * _e419)), _e358);
+                phi_714_ = evaluate_Verdict(_e511, false);
+                phi_715_ = evaluate_Verdict();
+                phi_716_ = false;
             } else {
-                phi_622_ = evaluate_Verdict();
-                phi_623_ = evaluate_Verdict(1f, false);
-                phi_624_ = true;
+                phi_714_ = evaluate_Verdict();
+                phi_715_ = evaluate_Verdict(1f, false);
+                phi_716_ = true;
             }
-            let _e428 = phi_622_;
-            let _e430 = phi_623_;
-            let _e432 = phi_624_;
-            phi_625_ = _e430;
-            phi_626_ = _e428;
-            phi_627_ = _e432;
+            let _e515 = phi_714_;
+            let _e517 = phi_715_;
+            let _e519 = phi_716_;
+            phi_717_ = _e517;
+            phi_718_ = _e515;
+            phi_719_ = _e519;
         }
-        let _e434 = phi_625_;
-        let _e436 = phi_626_;
-        let _e438 = phi_627_;
-        if _e438 {
-            phi_631_ = _e434;
+        let _e521 = phi_717_;
+        let _e523 = phi_718_;
+        let _e525 = phi_719_;
+        if _e525 {
+            phi_723_ = _e521;
         } else {
-            phi_631_ = _e436;
+            phi_723_ = _e523;
         }
-        let _e440 = phi_631_;
-        if (_e63.first_primitive < arrayLength((&visibility.member))) {
+        let _e527 = phi_723_;
+        if (_e64.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e63.first_primitive)] = _e440.visibility;
+        visibility.member[(0u + _e64.first_primitive)] = _e527.visibility;
     }
     return;
 }

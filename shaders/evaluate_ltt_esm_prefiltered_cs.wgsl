@@ -82,37 +82,37 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> map: type_36;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_156_: lt_bvh_traverse_Tree;
-    var phi_157_: bool;
     var phi_158_: lt_bvh_traverse_Tree;
     var phi_159_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_160_: lt_bvh_traverse_Tree;
+    var phi_161_: bool;
+    var phi_166_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_157_ = false;
+            phi_158_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_159_ = false;
         } else {
-            phi_156_ = lt_bvh_traverse_Tree();
-            phi_157_ = true;
+            phi_158_ = lt_bvh_traverse_Tree();
+            phi_159_ = true;
         }
-        let _e62 = phi_156_;
-        let _e64 = phi_157_;
-        phi_158_ = _e62;
-        phi_159_ = _e64;
+        let _e63 = phi_158_;
+        let _e65 = phi_159_;
+        phi_160_ = _e63;
+        phi_161_ = _e65;
     } else {
-        phi_158_ = lt_bvh_traverse_Tree();
-        phi_159_ = true;
+        phi_160_ = lt_bvh_traverse_Tree();
+        phi_161_ = true;
     }
-    let _e66 = phi_158_;
-    let _e68 = phi_159_;
-    if _e68 {
-        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e67 = phi_160_;
+    let _e69 = phi_161_;
+    if _e69 {
+        phi_166_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_164_ = _e66;
+        phi_166_ = _e67;
     }
-    let _e73 = phi_164_;
-    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
+    let _e74 = phi_166_;
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -120,524 +120,544 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_184_: bool;
-    var phi_188_: f32;
+    var phi_186_: bool;
+    var phi_190_: f32;
 
-    let _e50 = (*param_4);
+    let _e51 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_184_ = true;
+        phi_186_ = true;
     } else {
-        let _e54 = (84f < _e50);
-        if _e54 {
+        let _e55 = (84f < _e51);
+        if _e55 {
         }
-        phi_184_ = _e54;
+        phi_186_ = _e55;
     }
-    let _e56 = phi_184_;
-    if _e56 {
-        phi_188_ = 84f;
+    let _e57 = phi_186_;
+    if _e57 {
+        phi_190_ = 84f;
     } else {
-        phi_188_ = _e50;
+        phi_190_ = _e51;
     }
-    let _e58 = phi_188_;
-    return _e58;
+    let _e59 = phi_190_;
+    return _e59;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_207_: f32;
-    var phi_208_: f32;
     var phi_209_: f32;
-    var phi_224_: f32;
-    var phi_229_: f32;
-    var phi_251_: f32;
-    var phi_256_: f32;
-    var phi_257_: bool;
+    var phi_210_: f32;
+    var phi_211_: f32;
+    var phi_226_: f32;
+    var phi_231_: f32;
+    var phi_253_: f32;
     var phi_258_: f32;
     var phi_259_: bool;
-    var phi_263_: f32;
-    var phi_301_: f32;
-    var phi_317_: f32;
-    var phi_318_: f32;
+    var phi_260_: f32;
+    var phi_261_: bool;
+    var phi_265_: f32;
+    var phi_303_: f32;
     var phi_319_: f32;
+    var phi_320_: f32;
+    var phi_321_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_209_ = param_7;
+        phi_211_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_208_ = 0f;
+            phi_210_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_207_ = 1f;
+                phi_209_ = 1f;
             } else {
-                phi_207_ = param_7;
+                phi_209_ = param_7;
             }
-            let _e58 = phi_207_;
-            phi_208_ = _e58;
+            let _e59 = phi_209_;
+            phi_210_ = _e59;
         }
-        let _e60 = phi_208_;
-        phi_209_ = _e60;
+        let _e61 = phi_210_;
+        phi_211_ = _e61;
     }
-    let _e62 = phi_209_;
-    let _e64 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    let _e66 = (_e64 * (1f - _e62));
-    if ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u) {
-        phi_301_ = _e66;
+    let _e63 = phi_211_;
+    let _e65 = _lt_math_esm_Esm_clamped_exponent(param_5);
+    let _e67 = (_e65 * (1f - _e63));
+    if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
+        phi_303_ = _e67;
     } else {
-        if (_e66 < -87f) {
-            phi_224_ = -87f;
+        if (_e67 < -87f) {
+            phi_226_ = -87f;
         } else {
-            phi_224_ = _e66;
+            phi_226_ = _e67;
         }
-        let _e72 = phi_224_;
-        if (_e72 > 88f) {
-            phi_229_ = 88f;
+        let _e73 = phi_226_;
+        if (_e73 > 88f) {
+            phi_231_ = 88f;
         } else {
-            phi_229_ = _e72;
+            phi_231_ = _e73;
         }
-        let _e75 = phi_229_;
-        let _e77 = ((_e75 * 1.442695f) + 0.5f);
-        if (_e77 > -8388608f) {
-            let _e89 = f32(select(0i, select(select(i32(_e77), i32(-2147483648), (_e77 < bitcast<f32>(3472883712u))), 2147483647i, (_e77 > bitcast<f32>(1325400063u))), (_e77 == _e77)));
-            if (_e89 > _e77) {
-                phi_251_ = 1f;
+        let _e76 = phi_231_;
+        let _e78 = ((_e76 * 1.442695f) + 0.5f);
+        if (_e78 > -8388608f) {
+            let _e90 = f32(select(0i, select(select(i32(_e78), i32(-2147483648), (_e78 < bitcast<f32>(3472883712u))), 2147483647i, (_e78 > bitcast<f32>(1325400063u))), (_e78 == _e78)));
+            if (_e90 > _e78) {
+                phi_253_ = 1f;
             } else {
-                phi_251_ = 0f;
+                phi_253_ = 0f;
             }
-            let _e92 = phi_251_;
-            if (_e77 < 8388608f) {
-                phi_256_ = (_e89 - _e92);
-                phi_257_ = false;
+            let _e93 = phi_253_;
+            if (_e78 < 8388608f) {
+                phi_258_ = (_e90 - _e93);
+                phi_259_ = false;
             } else {
-                phi_256_ = f32();
-                phi_257_ = true;
+                phi_258_ = f32();
+                phi_259_ = true;
             }
-            let _e95 = phi_256_;
-            let _e97 = phi_257_;
-            phi_258_ = _e95;
-            phi_259_ = _e97;
+            let _e96 = phi_258_;
+            let _e98 = phi_259_;
+            phi_260_ = _e96;
+            phi_261_ = _e98;
         } else {
-            phi_258_ = f32();
-            phi_259_ = true;
+            phi_260_ = f32();
+            phi_261_ = true;
         }
-        let _e99 = phi_258_;
-        let _e101 = phi_259_;
-        if _e101 {
-            phi_263_ = _e77;
+        let _e100 = phi_260_;
+        let _e102 = phi_261_;
+        if _e102 {
+            phi_265_ = _e78;
         } else {
-            phi_263_ = _e99;
+            phi_265_ = _e100;
         }
-        let _e103 = phi_263_;
-        let _e107 = ((_e75 - (_e103 * 0.69314575f)) - (_e103 * 0.0000014286068f));
-        phi_301_ = ((((((((((((((((1f / 5040f) * _e107) + (1f / 720f)) * _e107) + (1f / 120f)) * _e107) + (1f / 24f)) * _e107) + (1f / 6f)) * _e107) + 0.5f) * _e107) + 1f) * _e107) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e103), i32(-2147483648), (_e103 < bitcast<f32>(3472883712u))), 2147483647i, (_e103 > bitcast<f32>(1325400063u))), (_e103 == _e103)) + 127i)) << bitcast<u32>(23i))));
+        let _e104 = phi_265_;
+        let _e108 = ((_e76 - (_e104 * 0.69314575f)) - (_e104 * 0.0000014286068f));
+        phi_303_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e143 = phi_301_;
-    let _e144 = (param_6.x * _e143);
-    if ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u) {
-        phi_319_ = _e144;
+    let _e144 = phi_303_;
+    let _e145 = (param_6.x * _e144);
+    if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
+        phi_321_ = _e145;
     } else {
-        if (_e144 < 0f) {
-            phi_318_ = 0f;
+        if (_e145 < 0f) {
+            phi_320_ = 0f;
         } else {
-            if (_e144 > 1f) {
-                phi_317_ = 1f;
+            if (_e145 > 1f) {
+                phi_319_ = 1f;
             } else {
-                phi_317_ = _e144;
+                phi_319_ = _e145;
             }
-            let _e151 = phi_317_;
-            phi_318_ = _e151;
+            let _e152 = phi_319_;
+            phi_320_ = _e152;
         }
-        let _e153 = phi_318_;
-        phi_319_ = _e153;
+        let _e154 = phi_320_;
+        phi_321_ = _e154;
     }
-    let _e155 = phi_319_;
-    return _e155;
+    let _e156 = phi_321_;
+    return _e156;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_373_: bool;
-    var phi_374_: bool;
     var phi_375_: bool;
     var phi_376_: bool;
-    var phi_380_: bool;
-    var phi_424_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_428_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_505_: bool;
-    var phi_514_: bool;
-    var phi_523_: bool;
-    var phi_524_: bool;
+    var phi_377_: bool;
+    var phi_378_: bool;
+    var phi_382_: bool;
+    var phi_426_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_430_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_507_: bool;
+    var phi_516_: bool;
     var phi_525_: bool;
     var phi_526_: bool;
     var phi_527_: bool;
     var phi_528_: bool;
     var phi_529_: bool;
-    var phi_533_: bool;
-    var phi_569_: f32;
-    var phi_574_: f32;
-    var phi_575_: bool;
-    var phi_576_: f32;
-    var phi_577_: bool;
-    var phi_581_: f32;
-    var phi_601_: f32;
-    var phi_606_: f32;
-    var phi_607_: bool;
-    var phi_608_: f32;
-    var phi_609_: bool;
-    var phi_613_: f32;
-    var phi_659_: i32;
-    var phi_664_: i32;
-    var phi_669_: i32;
-    var phi_674_: i32;
-    var phi_683_: i32;
-    var phi_688_: i32;
-    var phi_693_: i32;
-    var phi_698_: i32;
-    var phi_789_: bool;
-    var phi_797_: bool;
-    var phi_802_: f32;
-    var phi_805_: evaluate_Verdict;
-    var phi_806_: evaluate_Verdict;
-    var phi_810_: bool;
-    var phi_811_: u32;
-    var phi_817_: u32;
+    var phi_530_: bool;
+    var phi_531_: bool;
+    var phi_535_: bool;
+    var phi_629_: f32;
+    var phi_632_: f32;
+    var phi_661_: f32;
+    var phi_666_: f32;
+    var phi_667_: bool;
+    var phi_668_: f32;
+    var phi_669_: bool;
+    var phi_673_: f32;
+    var phi_693_: f32;
+    var phi_698_: f32;
+    var phi_699_: bool;
+    var phi_700_: f32;
+    var phi_701_: bool;
+    var phi_705_: f32;
+    var phi_751_: i32;
+    var phi_756_: i32;
+    var phi_761_: i32;
+    var phi_766_: i32;
+    var phi_775_: i32;
+    var phi_780_: i32;
+    var phi_785_: i32;
+    var phi_790_: i32;
+    var phi_881_: bool;
+    var phi_889_: bool;
+    var phi_894_: f32;
+    var phi_897_: evaluate_Verdict;
+    var phi_898_: evaluate_Verdict;
+    var phi_902_: bool;
+    var phi_903_: u32;
+    var phi_909_: u32;
 
-    let _e50 = id_1;
-    let _e51 = local_2;
-    let _e56 = arrayLength((&map.member));
-    if (_e51 == 0u) {
+    let _e51 = id_1;
+    let _e52 = local_2;
+    let _e57 = arrayLength((&map.member));
+    if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e63 = p.member.size[0u];
-    let _e65 = p.member.size[1u];
-    let _e66 = lt_shaders_entry_pixel_index(_e50, _e63, _e65);
-    if (bitcast<i32>(_e66.root) != 0i) {
-        let _e73 = p.member.light;
-        let _e76 = samples.member[_e66.first_primitive].normal[0u];
-        let _e78 = global[0u];
-        if (_e76 == _e78) {
-            let _e81 = samples.member[_e66.first_primitive].normal[1u];
-            let _e83 = global[1u];
-            if (_e81 == _e83) {
-                let _e86 = samples.member[_e66.first_primitive].normal[2u];
-                let _e88 = global[2u];
-                phi_373_ = (_e86 == _e88);
-                phi_374_ = false;
+    let _e64 = p.member.size[0u];
+    let _e66 = p.member.size[1u];
+    let _e67 = lt_shaders_entry_pixel_index(_e51, _e64, _e66);
+    if (bitcast<i32>(_e67.root) != 0i) {
+        let _e74 = p.member.light;
+        let _e77 = samples.member[_e67.first_primitive].normal[0u];
+        let _e79 = global[0u];
+        if (_e77 == _e79) {
+            let _e82 = samples.member[_e67.first_primitive].normal[1u];
+            let _e84 = global[1u];
+            if (_e82 == _e84) {
+                let _e87 = samples.member[_e67.first_primitive].normal[2u];
+                let _e89 = global[2u];
+                phi_375_ = (_e87 == _e89);
+                phi_376_ = false;
             } else {
-                phi_373_ = bool();
-                phi_374_ = true;
+                phi_375_ = bool();
+                phi_376_ = true;
             }
-            let _e91 = phi_373_;
-            let _e93 = phi_374_;
-            phi_375_ = _e91;
-            phi_376_ = _e93;
+            let _e92 = phi_375_;
+            let _e94 = phi_376_;
+            phi_377_ = _e92;
+            phi_378_ = _e94;
         } else {
-            phi_375_ = bool();
-            phi_376_ = true;
+            phi_377_ = bool();
+            phi_378_ = true;
         }
-        let _e95 = phi_375_;
-        let _e97 = phi_376_;
-        if _e97 {
-            phi_380_ = false;
+        let _e96 = phi_377_;
+        let _e98 = phi_378_;
+        if _e98 {
+            phi_382_ = false;
         } else {
-            phi_380_ = _e95;
+            phi_382_ = _e96;
         }
-        let _e99 = phi_380_;
-        if !(_e99) {
-            let _e102 = samples.member[_e66.first_primitive].normal;
-            let _e104 = samples.member[_e66.first_primitive].position;
-            if ((((_e102.x * (_e73.x - (_e104.x * _e73.w))) + (_e102.y * (_e73.y - (_e104.y * _e73.w)))) + (_e102.z * (_e73.z - (_e104.z * _e73.w)))) > 0f) {
-                let _e128 = samples.member[_e66.first_primitive].flags;
-                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
-                phi_424_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
+        let _e100 = phi_382_;
+        if !(_e100) {
+            let _e103 = samples.member[_e67.first_primitive].normal;
+            let _e105 = samples.member[_e67.first_primitive].position;
+            if ((((_e103.x * (_e74.x - (_e105.x * _e74.w))) + (_e103.y * (_e74.y - (_e105.y * _e74.w)))) + (_e103.z * (_e74.z - (_e105.z * _e74.w)))) > 0f) {
+                let _e129 = samples.member[_e67.first_primitive].flags;
+                let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
+                phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, ((_e129 & 1u) == 0u));
             } else {
-                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
-                phi_424_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
+                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e152.unnamed.visibility, false), _e152.unnamed_1);
+                phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, true);
             }
-            let _e162 = phi_424_;
-            phi_428_ = _e162;
+            let _e163 = phi_426_;
+            phi_430_ = _e163;
         } else {
-            let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-            phi_428_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
+            let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
+            phi_430_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, true);
         }
-        let _e179 = phi_428_;
-        if _e179.unnamed_1 {
-            phi_806_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
+        let _e180 = phi_430_;
+        if _e180.unnamed_1 {
+            phi_898_ = evaluate_Verdict(_e180.unnamed.visibility, _e180.unnamed.is_doubted);
         } else {
-            let _e187 = samples.member[_e66.first_primitive].position;
-            let _e193 = p.member.projection.row_w;
-            let _e204 = ((((_e193.x * _e187.x) + (_e193.y * _e187.y)) + (_e193.z * _e187.z)) + (_e193.w * 1f));
-            let _e206 = p.member.projection.row_x;
-            let _e218 = (((((_e206.x * _e187.x) + (_e206.y * _e187.y)) + (_e206.z * _e187.z)) + (_e206.w * 1f)) / _e204);
-            let _e220 = p.member.projection.row_y;
-            let _e232 = (((((_e220.x * _e187.x) + (_e220.y * _e187.y)) + (_e220.z * _e187.z)) + (_e220.w * 1f)) / _e204);
-            let _e234 = p.member.projection.row_z;
-            let _e245 = ((((_e234.x * _e187.x) + (_e234.y * _e187.y)) + (_e234.z * _e187.z)) + (_e234.w * 1f));
-            if (_e204 > 0f) {
-                if (_e218 >= 0f) {
-                    phi_505_ = (_e218 <= 1f);
+            let _e188 = samples.member[_e67.first_primitive].position;
+            let _e194 = p.member.projection.row_w;
+            let _e205 = ((((_e194.x * _e188.x) + (_e194.y * _e188.y)) + (_e194.z * _e188.z)) + (_e194.w * 1f));
+            let _e207 = p.member.projection.row_x;
+            let _e219 = (((((_e207.x * _e188.x) + (_e207.y * _e188.y)) + (_e207.z * _e188.z)) + (_e207.w * 1f)) / _e205);
+            let _e221 = p.member.projection.row_y;
+            let _e233 = (((((_e221.x * _e188.x) + (_e221.y * _e188.y)) + (_e221.z * _e188.z)) + (_e221.w * 1f)) / _e205);
+            let _e235 = p.member.projection.row_z;
+            let _e246 = ((((_e235.x * _e188.x) + (_e235.y * _e188.y)) + (_e235.z * _e188.z)) + (_e235.w * 1f));
+            if (_e205 > 0f) {
+                if (_e219 >= 0f) {
+                    phi_507_ = (_e219 <= 1f);
                 } else {
-                    phi_505_ = false;
+                    phi_507_ = false;
                 }
-                let _e250 = phi_505_;
-                if _e250 {
-                    if (_e232 >= 0f) {
-                        phi_514_ = (_e232 <= 1f);
+                let _e251 = phi_507_;
+                if _e251 {
+                    if (_e233 >= 0f) {
+                        phi_516_ = (_e233 <= 1f);
                     } else {
-                        phi_514_ = false;
+                        phi_516_ = false;
                     }
-                    let _e254 = phi_514_;
-                    if _e254 {
-                        if (_e245 >= 0f) {
-                            phi_523_ = (_e245 <= 1f);
+                    let _e255 = phi_516_;
+                    if _e255 {
+                        if (_e246 >= 0f) {
+                            phi_525_ = (_e246 <= 1f);
                         } else {
-                            phi_523_ = false;
+                            phi_525_ = false;
                         }
-                        let _e258 = phi_523_;
-                        phi_524_ = _e258;
-                        phi_525_ = false;
+                        let _e259 = phi_525_;
+                        phi_526_ = _e259;
+                        phi_527_ = false;
                     } else {
-                        phi_524_ = bool();
-                        phi_525_ = true;
+                        phi_526_ = bool();
+                        phi_527_ = true;
                     }
-                    let _e260 = phi_524_;
-                    let _e262 = phi_525_;
-                    phi_526_ = _e260;
-                    phi_527_ = _e262;
+                    let _e261 = phi_526_;
+                    let _e263 = phi_527_;
+                    phi_528_ = _e261;
+                    phi_529_ = _e263;
                 } else {
-                    phi_526_ = bool();
-                    phi_527_ = true;
+                    phi_528_ = bool();
+                    phi_529_ = true;
                 }
-                let _e264 = phi_526_;
-                let _e266 = phi_527_;
-                phi_528_ = _e264;
-                phi_529_ = _e266;
+                let _e265 = phi_528_;
+                let _e267 = phi_529_;
+                phi_530_ = _e265;
+                phi_531_ = _e267;
             } else {
-                phi_528_ = bool();
-                phi_529_ = true;
+                phi_530_ = bool();
+                phi_531_ = true;
             }
-            let _e268 = phi_528_;
-            let _e270 = phi_529_;
-            if _e270 {
-                phi_533_ = false;
+            let _e269 = phi_530_;
+            let _e271 = phi_531_;
+            if _e271 {
+                phi_535_ = false;
             } else {
-                phi_533_ = _e268;
+                phi_535_ = _e269;
             }
-            let _e272 = phi_533_;
-            if _e272 {
-                let _e274 = p.member.map_size;
-                let _e275 = f32(_e274);
-                let _e278 = ((_e218 * _e275) - 0.5f);
-                let _e279 = ((_e232 * _e275) - 0.5f);
-                if (_e278 > -8388608f) {
-                    let _e291 = f32(select(0i, select(select(i32(_e278), i32(-2147483648), (_e278 < bitcast<f32>(3472883712u))), 2147483647i, (_e278 > bitcast<f32>(1325400063u))), (_e278 == _e278)));
-                    if (_e291 > _e278) {
-                        phi_569_ = 1f;
+            let _e273 = phi_535_;
+            if _e273 {
+                if (0f > 0f) {
+                    let _e276 = samples.member[_e67.first_primitive].normal;
+                    let _e278 = p.member.map_size;
+                    let _e281 = p.member.projection.row_x;
+                    let _e303 = p.member.projection.row_y;
+                    let _e325 = p.member.projection.row_z;
+                    let _e352 = ((abs(((((_e281.x * _e276.x) + (_e281.y * _e276.y)) + (_e281.z * _e276.z)) / (((_e281.x * _e281.x) + (_e281.y * _e281.y)) + (_e281.z * _e281.z)))) + abs(((((_e303.x * _e276.x) + (_e303.y * _e276.y)) + (_e303.z * _e276.z)) / (((_e303.x * _e303.x) + (_e303.y * _e303.y)) + (_e303.z * _e303.z))))) / (abs(((((_e325.x * _e276.x) + (_e325.y * _e276.y)) + (_e325.z * _e276.z)) / (((_e325.x * _e325.x) + (_e325.y * _e325.y)) + (_e325.z * _e325.z)))) * f32(_e278)));
+                    if (_e352 < 0.002f) {
+                        phi_629_ = _e352;
                     } else {
-                        phi_569_ = 0f;
+                        phi_629_ = 0.002f;
                     }
-                    let _e294 = phi_569_;
-                    if (_e278 < 8388608f) {
-                        phi_574_ = (_e291 - _e294);
-                        phi_575_ = false;
+                    let _e355 = phi_629_;
+                    phi_632_ = (_e246 - (0f * _e355));
+                } else {
+                    phi_632_ = _e246;
+                }
+                let _e359 = phi_632_;
+                let _e361 = p.member.map_size;
+                let _e362 = f32(_e361);
+                let _e365 = ((_e219 * _e362) - 0.5f);
+                let _e366 = ((_e233 * _e362) - 0.5f);
+                if (_e365 > -8388608f) {
+                    let _e378 = f32(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)));
+                    if (_e378 > _e365) {
+                        phi_661_ = 1f;
                     } else {
-                        phi_574_ = f32();
-                        phi_575_ = true;
+                        phi_661_ = 0f;
                     }
-                    let _e297 = phi_574_;
-                    let _e299 = phi_575_;
-                    phi_576_ = _e297;
-                    phi_577_ = _e299;
-                } else {
-                    phi_576_ = f32();
-                    phi_577_ = true;
-                }
-                let _e301 = phi_576_;
-                let _e303 = phi_577_;
-                if _e303 {
-                    phi_581_ = _e278;
-                } else {
-                    phi_581_ = _e301;
-                }
-                let _e305 = phi_581_;
-                if (_e279 > -8388608f) {
-                    let _e317 = f32(select(0i, select(select(i32(_e279), i32(-2147483648), (_e279 < bitcast<f32>(3472883712u))), 2147483647i, (_e279 > bitcast<f32>(1325400063u))), (_e279 == _e279)));
-                    if (_e317 > _e279) {
-                        phi_601_ = 1f;
+                    let _e381 = phi_661_;
+                    if (_e365 < 8388608f) {
+                        phi_666_ = (_e378 - _e381);
+                        phi_667_ = false;
                     } else {
-                        phi_601_ = 0f;
+                        phi_666_ = f32();
+                        phi_667_ = true;
                     }
-                    let _e320 = phi_601_;
-                    if (_e279 < 8388608f) {
-                        phi_606_ = (_e317 - _e320);
-                        phi_607_ = false;
+                    let _e384 = phi_666_;
+                    let _e386 = phi_667_;
+                    phi_668_ = _e384;
+                    phi_669_ = _e386;
+                } else {
+                    phi_668_ = f32();
+                    phi_669_ = true;
+                }
+                let _e388 = phi_668_;
+                let _e390 = phi_669_;
+                if _e390 {
+                    phi_673_ = _e365;
+                } else {
+                    phi_673_ = _e388;
+                }
+                let _e392 = phi_673_;
+                if (_e366 > -8388608f) {
+                    let _e404 = f32(select(0i, select(select(i32(_e366), i32(-2147483648), (_e366 < bitcast<f32>(3472883712u))), 2147483647i, (_e366 > bitcast<f32>(1325400063u))), (_e366 == _e366)));
+                    if (_e404 > _e366) {
+                        phi_693_ = 1f;
                     } else {
-                        phi_606_ = f32();
-                        phi_607_ = true;
+                        phi_693_ = 0f;
                     }
-                    let _e323 = phi_606_;
-                    let _e325 = phi_607_;
-                    phi_608_ = _e323;
-                    phi_609_ = _e325;
+                    let _e407 = phi_693_;
+                    if (_e366 < 8388608f) {
+                        phi_698_ = (_e404 - _e407);
+                        phi_699_ = false;
+                    } else {
+                        phi_698_ = f32();
+                        phi_699_ = true;
+                    }
+                    let _e410 = phi_698_;
+                    let _e412 = phi_699_;
+                    phi_700_ = _e410;
+                    phi_701_ = _e412;
                 } else {
-                    phi_608_ = f32();
-                    phi_609_ = true;
+                    phi_700_ = f32();
+                    phi_701_ = true;
                 }
-                let _e327 = phi_608_;
-                let _e329 = phi_609_;
-                if _e329 {
-                    phi_613_ = _e279;
+                let _e414 = phi_700_;
+                let _e416 = phi_701_;
+                if _e416 {
+                    phi_705_ = _e366;
                 } else {
-                    phi_613_ = _e327;
+                    phi_705_ = _e414;
                 }
-                let _e331 = phi_613_;
-                let _e332 = (_e278 - _e305);
-                let _e333 = (_e279 - _e331);
-                let _e342 = select(0i, select(select(i32(_e305), i32(-2147483648), (_e305 < bitcast<f32>(3472883712u))), 2147483647i, (_e305 > bitcast<f32>(1325400063u))), (_e305 == _e305));
-                let _e351 = select(0i, select(select(i32(_e331), i32(-2147483648), (_e331 < bitcast<f32>(3472883712u))), 2147483647i, (_e331 > bitcast<f32>(1325400063u))), (_e331 == _e331));
-                let _e354 = ((1f - _e332) * (1f - _e333));
-                let _e356 = (_e332 * (1f - _e333));
-                let _e358 = ((1f - _e332) * _e333);
-                let _e359 = (_e332 * _e333);
-                let _e361 = p.member.test;
-                let _e362 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e361);
-                let _e364 = p.member.map_size;
-                local_1 = _e362;
-                let _e366 = (bitcast<i32>(_e364) - 1i);
-                if (_e342 > 0i) {
-                    phi_659_ = _e342;
+                let _e418 = phi_705_;
+                let _e419 = (_e365 - _e392);
+                let _e420 = (_e366 - _e418);
+                let _e429 = select(0i, select(select(i32(_e392), i32(-2147483648), (_e392 < bitcast<f32>(3472883712u))), 2147483647i, (_e392 > bitcast<f32>(1325400063u))), (_e392 == _e392));
+                let _e438 = select(0i, select(select(i32(_e418), i32(-2147483648), (_e418 < bitcast<f32>(3472883712u))), 2147483647i, (_e418 > bitcast<f32>(1325400063u))), (_e418 == _e418));
+                let _e441 = ((1f - _e419) * (1f - _e420));
+                let _e443 = (_e419 * (1f - _e420));
+                let _e445 = ((1f - _e419) * _e420);
+                let _e446 = (_e419 * _e420);
+                let _e448 = p.member.test;
+                let _e449 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e448);
+                let _e451 = p.member.map_size;
+                local_1 = _e449;
+                let _e453 = (bitcast<i32>(_e451) - 1i);
+                if (_e429 > 0i) {
+                    phi_751_ = _e429;
                 } else {
-                    phi_659_ = 0i;
+                    phi_751_ = 0i;
                 }
-                let _e369 = phi_659_;
-                if (_e351 > 0i) {
-                    phi_664_ = _e351;
+                let _e456 = phi_751_;
+                if (_e438 > 0i) {
+                    phi_756_ = _e438;
                 } else {
-                    phi_664_ = 0i;
+                    phi_756_ = 0i;
                 }
-                let _e372 = phi_664_;
-                if (_e369 < _e366) {
-                    phi_669_ = _e369;
+                let _e459 = phi_756_;
+                if (_e456 < _e453) {
+                    phi_761_ = _e456;
                 } else {
-                    phi_669_ = _e366;
+                    phi_761_ = _e453;
                 }
-                let _e375 = phi_669_;
-                if (_e372 < _e366) {
-                    phi_674_ = _e372;
+                let _e462 = phi_761_;
+                if (_e459 < _e453) {
+                    phi_766_ = _e459;
                 } else {
-                    phi_674_ = _e366;
+                    phi_766_ = _e453;
                 }
-                let _e378 = phi_674_;
-                let _e379 = bitcast<u32>(_e375);
-                let _e381 = (_e342 + 1i);
-                let _e382 = (_e351 + 1i);
-                if (_e381 > 0i) {
-                    phi_683_ = _e381;
+                let _e465 = phi_766_;
+                let _e466 = bitcast<u32>(_e462);
+                let _e468 = (_e429 + 1i);
+                let _e469 = (_e438 + 1i);
+                if (_e468 > 0i) {
+                    phi_775_ = _e468;
                 } else {
-                    phi_683_ = 0i;
+                    phi_775_ = 0i;
                 }
-                let _e385 = phi_683_;
-                if (_e382 > 0i) {
-                    phi_688_ = _e382;
+                let _e472 = phi_775_;
+                if (_e469 > 0i) {
+                    phi_780_ = _e469;
                 } else {
-                    phi_688_ = 0i;
+                    phi_780_ = 0i;
                 }
-                let _e388 = phi_688_;
-                if (_e385 < _e366) {
-                    phi_693_ = _e385;
+                let _e475 = phi_780_;
+                if (_e472 < _e453) {
+                    phi_785_ = _e472;
                 } else {
-                    phi_693_ = _e366;
+                    phi_785_ = _e453;
                 }
-                let _e391 = phi_693_;
-                if (_e388 < _e366) {
-                    phi_698_ = _e388;
+                let _e478 = phi_785_;
+                if (_e475 < _e453) {
+                    phi_790_ = _e475;
                 } else {
-                    phi_698_ = _e366;
+                    phi_790_ = _e453;
                 }
-                let _e394 = phi_698_;
-                let _e395 = bitcast<u32>(_e391);
-                let _e397 = (bitcast<u32>(_e378) * _e364);
-                let _e398 = (bitcast<u32>(_e394) * _e364);
-                let _e399 = (_e397 + _e379);
-                let _e400 = (_e397 + _e395);
-                let _e401 = (_e398 + _e379);
-                let _e402 = (_e398 + _e395);
-                if (_e399 < _e56) {
+                let _e481 = phi_790_;
+                let _e482 = bitcast<u32>(_e478);
+                let _e484 = (bitcast<u32>(_e465) * _e451);
+                let _e485 = (bitcast<u32>(_e481) * _e451);
+                let _e486 = (_e484 + _e466);
+                let _e487 = (_e484 + _e482);
+                let _e488 = (_e485 + _e466);
+                let _e489 = (_e485 + _e482);
+                if (_e486 < _e57) {
                 } else {
                     return;
                 }
-                let _e406 = map.member[(0u + _e399)];
-                if (_e400 < _e56) {
+                let _e493 = map.member[(0u + _e486)];
+                if (_e487 < _e57) {
                 } else {
                     return;
                 }
-                let _e418 = map.member[(0u + _e400)];
-                if (_e401 < _e56) {
+                let _e505 = map.member[(0u + _e487)];
+                if (_e488 < _e57) {
                 } else {
                     return;
                 }
-                let _e434 = map.member[(0u + _e401)];
-                if (_e402 < _e56) {
+                let _e521 = map.member[(0u + _e488)];
+                if (_e489 < _e57) {
                 } else {
                     return;
                 }
-                let _e450 = map.member[(0u + _e402)];
-                let _e464 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e406.x * _e354) + (_e418.x * _e356)) + (_e434.x * _e358)) + (_e450.x * _e359)), ((((_e406.y * _e354) + (_e418.y * _e356)) + (_e434.y * _e358)) + (_e450.y * _e359)), ((((_e406.z * _e354) + (_e418.z * _e356)) + (_e434.z * _e358)) + (_e450.z * _e359)), ((((_e406.w * _e354) + (_e418.w * _e356)) + (_e434.w * _e358)) + (_e450.w * _e359))), _e245);
-                let _e466 = p.member.epsilon;
-                if (_e464 <= _e466) {
-                    phi_789_ = true;
+                let _e537 = map.member[(0u + _e489)];
+                let _e551 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e493.x * _e441) + (_e505.x * _e443)) + (_e521.x * _e445)) + (_e537.x * _e446)), ((((_e493.y * _e441) + (_e505.y * _e443)) + (_e521.y * _e445)) + (_e537.y * _e446)), ((((_e493.z * _e441) + (_e505.z * _e443)) + (_e521.z * _e445)) + (_e537.z * _e446)), ((((_e493.w * _e441) + (_e505.w * _e443)) + (_e521.w * _e445)) + (_e537.w * _e446))), _e359);
+                let _e553 = p.member.epsilon;
+                if (_e551 <= _e553) {
+                    phi_881_ = true;
                 } else {
-                    phi_789_ = (_e464 >= (1f - _e466));
+                    phi_881_ = (_e551 >= (1f - _e553));
                 }
-                let _e471 = phi_789_;
-                if ((bitcast<u32>(_e464) & 2147483647u) > 2139095040u) {
-                    phi_797_ = true;
+                let _e558 = phi_881_;
+                if ((bitcast<u32>(_e551) & 2147483647u) > 2139095040u) {
+                    phi_889_ = true;
                 } else {
-                    phi_797_ = !(_e471);
+                    phi_889_ = !(_e558);
                 }
-                let _e477 = phi_797_;
-                if (_e464 > 0.5f) {
-                    phi_802_ = 1f;
+                let _e564 = phi_889_;
+                if (_e551 > 0.5f) {
+                    phi_894_ = 1f;
                 } else {
-                    phi_802_ = 0f;
+                    phi_894_ = 0f;
                 }
-                let _e480 = phi_802_;
-                phi_805_ = evaluate_Verdict(_e480, _e477);
+                let _e567 = phi_894_;
+                phi_897_ = evaluate_Verdict(_e567, _e564);
             } else {
-                phi_805_ = evaluate_Verdict(1f, true);
+                phi_897_ = evaluate_Verdict(1f, true);
             }
-            let _e484 = phi_805_;
-            phi_806_ = _e484;
+            let _e571 = phi_897_;
+            phi_898_ = _e571;
         }
-        let _e486 = phi_806_;
-        visibility.member[_e66.first_primitive] = _e486.visibility;
-        phi_810_ = _e486.is_doubted;
-        phi_811_ = _e66.first_primitive;
+        let _e573 = phi_898_;
+        visibility.member[_e67.first_primitive] = _e573.visibility;
+        phi_902_ = _e573.is_doubted;
+        phi_903_ = _e67.first_primitive;
     } else {
-        phi_810_ = false;
-        phi_811_ = 0u;
+        phi_902_ = false;
+        phi_903_ = 0u;
     }
-    let _e491 = phi_810_;
-    let _e493 = phi_811_;
-    if _e491 {
-        let _e495 = atomicAdd((&shared_[0u]), 1u);
-        phi_817_ = _e495;
+    let _e578 = phi_902_;
+    let _e580 = phi_903_;
+    if _e578 {
+        let _e582 = atomicAdd((&shared_[0u]), 1u);
+        phi_909_ = _e582;
     } else {
-        phi_817_ = 0u;
+        phi_909_ = 0u;
     }
-    let _e497 = phi_817_;
+    let _e584 = phi_909_;
     workgroupBarrier();
-    if (_e51 == 0u) {
-        let _e501 = atomicLoad((&shared_[0u]));
-        let _e502 = atomicAdd((&list.member[3u]), _e501);
-        atomicStore((&shared_[1u]), _e502);
+    if (_e52 == 0u) {
+        let _e588 = atomicLoad((&shared_[0u]));
+        let _e589 = atomicAdd((&list.member[3u]), _e588);
+        atomicStore((&shared_[1u]), _e589);
     }
     workgroupBarrier();
-    if _e491 {
-        let _e505 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e505) + _e497)]), _e493);
+    if _e578 {
+        let _e592 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e592) + _e584)]), _e580);
     }
     return;
 }

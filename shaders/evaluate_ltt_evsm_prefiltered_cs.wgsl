@@ -88,37 +88,37 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> map: type_36;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
     var phi_166_: lt_bvh_traverse_Tree;
     var phi_167_: bool;
-    var phi_172_: lt_bvh_traverse_Tree;
+    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_169_: bool;
+    var phi_174_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_166_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_167_ = false;
         } else {
-            phi_164_ = lt_bvh_traverse_Tree();
-            phi_165_ = true;
+            phi_166_ = lt_bvh_traverse_Tree();
+            phi_167_ = true;
         }
-        let _e63 = phi_164_;
-        let _e65 = phi_165_;
-        phi_166_ = _e63;
-        phi_167_ = _e65;
+        let _e64 = phi_166_;
+        let _e66 = phi_167_;
+        phi_168_ = _e64;
+        phi_169_ = _e66;
     } else {
-        phi_166_ = lt_bvh_traverse_Tree();
-        phi_167_ = true;
+        phi_168_ = lt_bvh_traverse_Tree();
+        phi_169_ = true;
     }
-    let _e67 = phi_166_;
-    let _e69 = phi_167_;
-    if _e69 {
-        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e68 = phi_168_;
+    let _e70 = phi_169_;
+    if _e70 {
+        phi_174_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_172_ = _e67;
+        phi_174_ = _e68;
     }
-    let _e74 = phi_172_;
-    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
+    let _e75 = phi_174_;
+    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -126,710 +126,730 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_negative(param_4: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_420_: bool;
-    var phi_424_: f32;
+    var phi_422_: bool;
+    var phi_426_: f32;
 
-    let _e52 = (*param_4).negative_exponent;
+    let _e53 = (*param_4).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_420_ = true;
+        phi_422_ = true;
     } else {
-        let _e56 = (42f < _e52);
-        if _e56 {
+        let _e57 = (42f < _e53);
+        if _e57 {
         }
-        phi_420_ = _e56;
+        phi_422_ = _e57;
     }
-    let _e58 = phi_420_;
-    if _e58 {
-        phi_424_ = 42f;
+    let _e59 = phi_422_;
+    if _e59 {
+        phi_426_ = 42f;
     } else {
-        phi_424_ = _e52;
+        phi_426_ = _e53;
     }
-    let _e60 = phi_424_;
-    return _e60;
+    let _e61 = phi_426_;
+    return _e61;
 }
 
 fn _lt_math_evsm_Evsm_positive(param_5: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_401_: bool;
-    var phi_405_: f32;
+    var phi_403_: bool;
+    var phi_407_: f32;
 
-    let _e52 = (*param_5).positive_exponent;
+    let _e53 = (*param_5).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_401_ = true;
+        phi_403_ = true;
     } else {
-        let _e56 = (42f < _e52);
-        if _e56 {
+        let _e57 = (42f < _e53);
+        if _e57 {
         }
-        phi_401_ = _e56;
+        phi_403_ = _e57;
     }
-    let _e58 = phi_401_;
-    if _e58 {
-        phi_405_ = 42f;
+    let _e59 = phi_403_;
+    if _e59 {
+        phi_407_ = 42f;
     } else {
-        phi_405_ = _e52;
+        phi_407_ = _e53;
     }
-    let _e60 = phi_405_;
-    return _e60;
+    let _e61 = phi_407_;
+    return _e61;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6: ptr<function, lt_math_Evsm>, param_7: f32) -> vec4<f32> {
-    var phi_199_: f32;
-    var phi_200_: f32;
     var phi_201_: f32;
-    var phi_214_: f32;
-    var phi_219_: f32;
-    var phi_241_: f32;
-    var phi_246_: f32;
-    var phi_247_: bool;
+    var phi_202_: f32;
+    var phi_203_: f32;
+    var phi_216_: f32;
+    var phi_221_: f32;
+    var phi_243_: f32;
     var phi_248_: f32;
     var phi_249_: bool;
-    var phi_253_: f32;
-    var phi_291_: f32;
-    var phi_305_: f32;
-    var phi_310_: f32;
-    var phi_332_: f32;
-    var phi_337_: f32;
-    var phi_338_: bool;
+    var phi_250_: f32;
+    var phi_251_: bool;
+    var phi_255_: f32;
+    var phi_293_: f32;
+    var phi_307_: f32;
+    var phi_312_: f32;
+    var phi_334_: f32;
     var phi_339_: f32;
     var phi_340_: bool;
-    var phi_344_: f32;
-    var phi_382_: f32;
+    var phi_341_: f32;
+    var phi_342_: bool;
+    var phi_346_: f32;
+    var phi_384_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_201_ = param_7;
+        phi_203_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_200_ = 0f;
+            phi_202_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_199_ = 1f;
+                phi_201_ = 1f;
             } else {
-                phi_199_ = param_7;
+                phi_201_ = param_7;
             }
-            let _e58 = phi_199_;
-            phi_200_ = _e58;
+            let _e59 = phi_201_;
+            phi_202_ = _e59;
         }
-        let _e60 = phi_200_;
-        phi_201_ = _e60;
+        let _e61 = phi_202_;
+        phi_203_ = _e61;
     }
-    let _e62 = phi_201_;
-    let _e63 = _lt_math_evsm_Evsm_positive(param_6);
-    let _e64 = (_e63 * _e62);
-    if ((bitcast<u32>(_e64) & 2147483647u) > 2139095040u) {
-        phi_291_ = _e64;
+    let _e63 = phi_203_;
+    let _e64 = _lt_math_evsm_Evsm_positive(param_6);
+    let _e65 = (_e64 * _e63);
+    if ((bitcast<u32>(_e65) & 2147483647u) > 2139095040u) {
+        phi_293_ = _e65;
     } else {
-        if (_e64 < -87f) {
-            phi_214_ = -87f;
+        if (_e65 < -87f) {
+            phi_216_ = -87f;
         } else {
-            phi_214_ = _e64;
+            phi_216_ = _e65;
         }
-        let _e70 = phi_214_;
-        if (_e70 > 88f) {
-            phi_219_ = 88f;
+        let _e71 = phi_216_;
+        if (_e71 > 88f) {
+            phi_221_ = 88f;
         } else {
-            phi_219_ = _e70;
+            phi_221_ = _e71;
         }
-        let _e73 = phi_219_;
-        let _e75 = ((_e73 * 1.442695f) + 0.5f);
-        if (_e75 > -8388608f) {
-            let _e87 = f32(select(0i, select(select(i32(_e75), i32(-2147483648), (_e75 < bitcast<f32>(3472883712u))), 2147483647i, (_e75 > bitcast<f32>(1325400063u))), (_e75 == _e75)));
-            if (_e87 > _e75) {
-                phi_241_ = 1f;
+        let _e74 = phi_221_;
+        let _e76 = ((_e74 * 1.442695f) + 0.5f);
+        if (_e76 > -8388608f) {
+            let _e88 = f32(select(0i, select(select(i32(_e76), i32(-2147483648), (_e76 < bitcast<f32>(3472883712u))), 2147483647i, (_e76 > bitcast<f32>(1325400063u))), (_e76 == _e76)));
+            if (_e88 > _e76) {
+                phi_243_ = 1f;
             } else {
-                phi_241_ = 0f;
+                phi_243_ = 0f;
             }
-            let _e90 = phi_241_;
-            if (_e75 < 8388608f) {
-                phi_246_ = (_e87 - _e90);
-                phi_247_ = false;
+            let _e91 = phi_243_;
+            if (_e76 < 8388608f) {
+                phi_248_ = (_e88 - _e91);
+                phi_249_ = false;
             } else {
-                phi_246_ = f32();
-                phi_247_ = true;
+                phi_248_ = f32();
+                phi_249_ = true;
             }
-            let _e93 = phi_246_;
-            let _e95 = phi_247_;
-            phi_248_ = _e93;
-            phi_249_ = _e95;
+            let _e94 = phi_248_;
+            let _e96 = phi_249_;
+            phi_250_ = _e94;
+            phi_251_ = _e96;
         } else {
-            phi_248_ = f32();
-            phi_249_ = true;
+            phi_250_ = f32();
+            phi_251_ = true;
         }
-        let _e97 = phi_248_;
-        let _e99 = phi_249_;
-        if _e99 {
-            phi_253_ = _e75;
+        let _e98 = phi_250_;
+        let _e100 = phi_251_;
+        if _e100 {
+            phi_255_ = _e76;
         } else {
-            phi_253_ = _e97;
+            phi_255_ = _e98;
         }
-        let _e101 = phi_253_;
-        let _e105 = ((_e73 - (_e101 * 0.69314575f)) - (_e101 * 0.0000014286068f));
-        phi_291_ = ((((((((((((((((1f / 5040f) * _e105) + (1f / 720f)) * _e105) + (1f / 120f)) * _e105) + (1f / 24f)) * _e105) + (1f / 6f)) * _e105) + 0.5f) * _e105) + 1f) * _e105) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e101), i32(-2147483648), (_e101 < bitcast<f32>(3472883712u))), 2147483647i, (_e101 > bitcast<f32>(1325400063u))), (_e101 == _e101)) + 127i)) << bitcast<u32>(23i))));
+        let _e102 = phi_255_;
+        let _e106 = ((_e74 - (_e102 * 0.69314575f)) - (_e102 * 0.0000014286068f));
+        phi_293_ = ((((((((((((((((1f / 5040f) * _e106) + (1f / 720f)) * _e106) + (1f / 120f)) * _e106) + (1f / 24f)) * _e106) + (1f / 6f)) * _e106) + 0.5f) * _e106) + 1f) * _e106) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e102), i32(-2147483648), (_e102 < bitcast<f32>(3472883712u))), 2147483647i, (_e102 > bitcast<f32>(1325400063u))), (_e102 == _e102)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e141 = phi_291_;
-    let _e142 = _lt_math_evsm_Evsm_negative(param_6);
-    let _e144 = (-(_e142) * _e62);
-    if ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u) {
-        phi_382_ = _e144;
+    let _e142 = phi_293_;
+    let _e143 = _lt_math_evsm_Evsm_negative(param_6);
+    let _e145 = (-(_e143) * _e63);
+    if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
+        phi_384_ = _e145;
     } else {
-        if (_e144 < -87f) {
-            phi_305_ = -87f;
+        if (_e145 < -87f) {
+            phi_307_ = -87f;
         } else {
-            phi_305_ = _e144;
+            phi_307_ = _e145;
         }
-        let _e150 = phi_305_;
-        if (_e150 > 88f) {
-            phi_310_ = 88f;
+        let _e151 = phi_307_;
+        if (_e151 > 88f) {
+            phi_312_ = 88f;
         } else {
-            phi_310_ = _e150;
+            phi_312_ = _e151;
         }
-        let _e153 = phi_310_;
-        let _e155 = ((_e153 * 1.442695f) + 0.5f);
-        if (_e155 > -8388608f) {
-            let _e167 = f32(select(0i, select(select(i32(_e155), i32(-2147483648), (_e155 < bitcast<f32>(3472883712u))), 2147483647i, (_e155 > bitcast<f32>(1325400063u))), (_e155 == _e155)));
-            if (_e167 > _e155) {
-                phi_332_ = 1f;
+        let _e154 = phi_312_;
+        let _e156 = ((_e154 * 1.442695f) + 0.5f);
+        if (_e156 > -8388608f) {
+            let _e168 = f32(select(0i, select(select(i32(_e156), i32(-2147483648), (_e156 < bitcast<f32>(3472883712u))), 2147483647i, (_e156 > bitcast<f32>(1325400063u))), (_e156 == _e156)));
+            if (_e168 > _e156) {
+                phi_334_ = 1f;
             } else {
-                phi_332_ = 0f;
+                phi_334_ = 0f;
             }
-            let _e170 = phi_332_;
-            if (_e155 < 8388608f) {
-                phi_337_ = (_e167 - _e170);
-                phi_338_ = false;
+            let _e171 = phi_334_;
+            if (_e156 < 8388608f) {
+                phi_339_ = (_e168 - _e171);
+                phi_340_ = false;
             } else {
-                phi_337_ = f32();
-                phi_338_ = true;
+                phi_339_ = f32();
+                phi_340_ = true;
             }
-            let _e173 = phi_337_;
-            let _e175 = phi_338_;
-            phi_339_ = _e173;
-            phi_340_ = _e175;
+            let _e174 = phi_339_;
+            let _e176 = phi_340_;
+            phi_341_ = _e174;
+            phi_342_ = _e176;
         } else {
-            phi_339_ = f32();
-            phi_340_ = true;
+            phi_341_ = f32();
+            phi_342_ = true;
         }
-        let _e177 = phi_339_;
-        let _e179 = phi_340_;
-        if _e179 {
-            phi_344_ = _e155;
+        let _e178 = phi_341_;
+        let _e180 = phi_342_;
+        if _e180 {
+            phi_346_ = _e156;
         } else {
-            phi_344_ = _e177;
+            phi_346_ = _e178;
         }
-        let _e181 = phi_344_;
-        let _e185 = ((_e153 - (_e181 * 0.69314575f)) - (_e181 * 0.0000014286068f));
-        phi_382_ = ((((((((((((((((1f / 5040f) * _e185) + (1f / 720f)) * _e185) + (1f / 120f)) * _e185) + (1f / 24f)) * _e185) + (1f / 6f)) * _e185) + 0.5f) * _e185) + 1f) * _e185) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e181), i32(-2147483648), (_e181 < bitcast<f32>(3472883712u))), 2147483647i, (_e181 > bitcast<f32>(1325400063u))), (_e181 == _e181)) + 127i)) << bitcast<u32>(23i))));
+        let _e182 = phi_346_;
+        let _e186 = ((_e154 - (_e182 * 0.69314575f)) - (_e182 * 0.0000014286068f));
+        phi_384_ = ((((((((((((((((1f / 5040f) * _e186) + (1f / 720f)) * _e186) + (1f / 120f)) * _e186) + (1f / 24f)) * _e186) + (1f / 6f)) * _e186) + 0.5f) * _e186) + 1f) * _e186) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e182), i32(-2147483648), (_e182 < bitcast<f32>(3472883712u))), 2147483647i, (_e182 > bitcast<f32>(1325400063u))), (_e182 == _e182)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e221 = phi_382_;
-    let _e222 = -(_e221);
-    return vec4<f32>(_e141, (_e141 * _e141), _e222, (_e222 * _e222));
+    let _e222 = phi_384_;
+    let _e223 = -(_e222);
+    return vec4<f32>(_e142, (_e142 * _e142), _e223, (_e223 * _e223));
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_8: ptr<function, lt_math_Evsm>, param_9: vec4<f32>, param_10: f32) -> f32 {
-    var phi_454_: bool;
-    var phi_458_: f32;
-    var phi_470_: bool;
-    var phi_477_: f32;
-    var phi_502_: bool;
-    var phi_506_: f32;
-    var phi_518_: bool;
-    var phi_525_: f32;
-    var phi_536_: bool;
-    var phi_540_: f32;
-    var phi_555_: f32;
-    var phi_556_: f32;
+    var phi_456_: bool;
+    var phi_460_: f32;
+    var phi_472_: bool;
+    var phi_479_: f32;
+    var phi_504_: bool;
+    var phi_508_: f32;
+    var phi_520_: bool;
+    var phi_527_: f32;
+    var phi_538_: bool;
+    var phi_542_: f32;
     var phi_557_: f32;
+    var phi_558_: f32;
+    var phi_559_: f32;
 
-    let _e53 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_8, param_10);
-    let _e54 = _lt_math_evsm_Evsm_positive(param_8);
-    let _e56 = (*param_8).min_variance;
-    let _e60 = (((_e56 * _e54) * _e54) * _e53.y);
-    let _e67 = ((param_9.y - (param_9.x * param_9.x)) + (0.00000047683716f * param_9.y));
-    if ((bitcast<u32>(_e60) & 2147483647u) > 2139095040u) {
-        phi_454_ = true;
+    let _e54 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_8, param_10);
+    let _e55 = _lt_math_evsm_Evsm_positive(param_8);
+    let _e57 = (*param_8).min_variance;
+    let _e61 = (((_e57 * _e55) * _e55) * _e54.y);
+    let _e68 = ((param_9.y - (param_9.x * param_9.x)) + (0.00000047683716f * param_9.y));
+    if ((bitcast<u32>(_e61) & 2147483647u) > 2139095040u) {
+        phi_456_ = true;
     } else {
-        let _e71 = (_e60 > _e67);
-        if _e71 {
+        let _e72 = (_e61 > _e68);
+        if _e72 {
         }
-        phi_454_ = _e71;
+        phi_456_ = _e72;
     }
-    let _e73 = phi_454_;
-    if _e73 {
-        phi_458_ = _e60;
+    let _e74 = phi_456_;
+    if _e74 {
+        phi_460_ = _e61;
     } else {
-        phi_458_ = _e67;
+        phi_460_ = _e68;
     }
-    let _e75 = phi_458_;
-    let _e76 = (_e53.x - param_9.x);
-    if (_e76 <= 0f) {
-        let _e80 = ((bitcast<u32>(_e75) & 2147483647u) > 2139095040u);
-        if _e80 {
+    let _e76 = phi_460_;
+    let _e77 = (_e54.x - param_9.x);
+    if (_e77 <= 0f) {
+        let _e81 = ((bitcast<u32>(_e76) & 2147483647u) > 2139095040u);
+        if _e81 {
         }
-        phi_470_ = _e80;
+        phi_472_ = _e81;
     } else {
-        phi_470_ = true;
+        phi_472_ = true;
     }
-    let _e82 = phi_470_;
-    if _e82 {
-        phi_477_ = (_e75 / (_e75 + (_e76 * _e76)));
+    let _e83 = phi_472_;
+    if _e83 {
+        phi_479_ = (_e76 / (_e76 + (_e77 * _e77)));
     } else {
-        phi_477_ = 1f;
+        phi_479_ = 1f;
     }
-    let _e87 = phi_477_;
-    let _e88 = _lt_math_evsm_Evsm_negative(param_8);
-    let _e90 = (*param_8).min_variance;
-    let _e94 = (((_e90 * _e88) * _e88) * _e53.w);
-    let _e101 = ((param_9.w - (param_9.z * param_9.z)) + (0.00000047683716f * param_9.w));
-    if ((bitcast<u32>(_e94) & 2147483647u) > 2139095040u) {
-        phi_502_ = true;
+    let _e88 = phi_479_;
+    let _e89 = _lt_math_evsm_Evsm_negative(param_8);
+    let _e91 = (*param_8).min_variance;
+    let _e95 = (((_e91 * _e89) * _e89) * _e54.w);
+    let _e102 = ((param_9.w - (param_9.z * param_9.z)) + (0.00000047683716f * param_9.w));
+    if ((bitcast<u32>(_e95) & 2147483647u) > 2139095040u) {
+        phi_504_ = true;
     } else {
-        let _e105 = (_e94 > _e101);
-        if _e105 {
+        let _e106 = (_e95 > _e102);
+        if _e106 {
         }
-        phi_502_ = _e105;
+        phi_504_ = _e106;
     }
-    let _e107 = phi_502_;
-    if _e107 {
-        phi_506_ = _e94;
+    let _e108 = phi_504_;
+    if _e108 {
+        phi_508_ = _e95;
     } else {
-        phi_506_ = _e101;
+        phi_508_ = _e102;
     }
-    let _e109 = phi_506_;
-    let _e110 = (_e53.z - param_9.z);
-    if (_e110 <= 0f) {
-        let _e114 = ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u);
-        if _e114 {
+    let _e110 = phi_508_;
+    let _e111 = (_e54.z - param_9.z);
+    if (_e111 <= 0f) {
+        let _e115 = ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u);
+        if _e115 {
         }
-        phi_518_ = _e114;
+        phi_520_ = _e115;
     } else {
-        phi_518_ = true;
+        phi_520_ = true;
     }
-    let _e116 = phi_518_;
-    if _e116 {
-        phi_525_ = (_e109 / (_e109 + (_e110 * _e110)));
+    let _e117 = phi_520_;
+    if _e117 {
+        phi_527_ = (_e110 / (_e110 + (_e111 * _e111)));
     } else {
-        phi_525_ = 1f;
+        phi_527_ = 1f;
     }
-    let _e121 = phi_525_;
-    if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
-        phi_536_ = true;
+    let _e122 = phi_527_;
+    if ((bitcast<u32>(_e122) & 2147483647u) > 2139095040u) {
+        phi_538_ = true;
     } else {
-        let _e125 = (_e121 < _e87);
-        if _e125 {
+        let _e126 = (_e122 < _e88);
+        if _e126 {
         }
-        phi_536_ = _e125;
+        phi_538_ = _e126;
     }
-    let _e127 = phi_536_;
-    if _e127 {
-        phi_540_ = _e121;
+    let _e128 = phi_538_;
+    if _e128 {
+        phi_542_ = _e122;
     } else {
-        phi_540_ = _e87;
+        phi_542_ = _e88;
     }
-    let _e129 = phi_540_;
-    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
-        phi_557_ = _e129;
+    let _e130 = phi_542_;
+    if ((bitcast<u32>(_e130) & 2147483647u) > 2139095040u) {
+        phi_559_ = _e130;
     } else {
-        if (_e129 < 0f) {
-            phi_556_ = 0f;
+        if (_e130 < 0f) {
+            phi_558_ = 0f;
         } else {
-            if (_e129 > 1f) {
-                phi_555_ = 1f;
+            if (_e130 > 1f) {
+                phi_557_ = 1f;
             } else {
-                phi_555_ = _e129;
+                phi_557_ = _e130;
             }
-            let _e136 = phi_555_;
-            phi_556_ = _e136;
+            let _e137 = phi_557_;
+            phi_558_ = _e137;
         }
-        let _e138 = phi_556_;
-        phi_557_ = _e138;
+        let _e139 = phi_558_;
+        phi_559_ = _e139;
     }
-    let _e140 = phi_557_;
-    return _e140;
+    let _e141 = phi_559_;
+    return _e141;
 }
 
 fn function_() {
     var local_1: lt_math_Evsm;
-    var phi_611_: bool;
-    var phi_612_: bool;
     var phi_613_: bool;
     var phi_614_: bool;
-    var phi_618_: bool;
-    var phi_662_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_666_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_743_: bool;
-    var phi_752_: bool;
-    var phi_761_: bool;
-    var phi_762_: bool;
+    var phi_615_: bool;
+    var phi_616_: bool;
+    var phi_620_: bool;
+    var phi_664_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_668_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_745_: bool;
+    var phi_754_: bool;
     var phi_763_: bool;
     var phi_764_: bool;
     var phi_765_: bool;
     var phi_766_: bool;
     var phi_767_: bool;
-    var phi_771_: bool;
-    var phi_807_: f32;
-    var phi_812_: f32;
-    var phi_813_: bool;
-    var phi_814_: f32;
-    var phi_815_: bool;
-    var phi_819_: f32;
-    var phi_839_: f32;
-    var phi_844_: f32;
-    var phi_845_: bool;
-    var phi_846_: f32;
-    var phi_847_: bool;
-    var phi_851_: f32;
-    var phi_901_: i32;
-    var phi_906_: i32;
-    var phi_911_: i32;
-    var phi_916_: i32;
-    var phi_925_: i32;
-    var phi_930_: i32;
-    var phi_935_: i32;
-    var phi_940_: i32;
-    var phi_1031_: bool;
-    var phi_1039_: bool;
-    var phi_1044_: f32;
-    var phi_1047_: evaluate_Verdict;
-    var phi_1048_: evaluate_Verdict;
-    var phi_1052_: bool;
-    var phi_1053_: u32;
-    var phi_1059_: u32;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_773_: bool;
+    var phi_867_: f32;
+    var phi_870_: f32;
+    var phi_899_: f32;
+    var phi_904_: f32;
+    var phi_905_: bool;
+    var phi_906_: f32;
+    var phi_907_: bool;
+    var phi_911_: f32;
+    var phi_931_: f32;
+    var phi_936_: f32;
+    var phi_937_: bool;
+    var phi_938_: f32;
+    var phi_939_: bool;
+    var phi_943_: f32;
+    var phi_993_: i32;
+    var phi_998_: i32;
+    var phi_1003_: i32;
+    var phi_1008_: i32;
+    var phi_1017_: i32;
+    var phi_1022_: i32;
+    var phi_1027_: i32;
+    var phi_1032_: i32;
+    var phi_1123_: bool;
+    var phi_1131_: bool;
+    var phi_1136_: f32;
+    var phi_1139_: evaluate_Verdict;
+    var phi_1140_: evaluate_Verdict;
+    var phi_1144_: bool;
+    var phi_1145_: u32;
+    var phi_1151_: u32;
 
-    let _e51 = id_1;
-    let _e52 = local_2;
-    let _e57 = arrayLength((&map.member));
-    if (_e52 == 0u) {
+    let _e52 = id_1;
+    let _e53 = local_2;
+    let _e58 = arrayLength((&map.member));
+    if (_e53 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e64 = p.member.size[0u];
-    let _e66 = p.member.size[1u];
-    let _e67 = lt_shaders_entry_pixel_index(_e51, _e64, _e66);
-    if (bitcast<i32>(_e67.root) != 0i) {
-        let _e74 = p.member.light;
-        let _e77 = samples.member[_e67.first_primitive].normal[0u];
-        let _e79 = global[0u];
-        if (_e77 == _e79) {
-            let _e82 = samples.member[_e67.first_primitive].normal[1u];
-            let _e84 = global[1u];
-            if (_e82 == _e84) {
-                let _e87 = samples.member[_e67.first_primitive].normal[2u];
-                let _e89 = global[2u];
-                phi_611_ = (_e87 == _e89);
-                phi_612_ = false;
+    let _e65 = p.member.size[0u];
+    let _e67 = p.member.size[1u];
+    let _e68 = lt_shaders_entry_pixel_index(_e52, _e65, _e67);
+    if (bitcast<i32>(_e68.root) != 0i) {
+        let _e75 = p.member.light;
+        let _e78 = samples.member[_e68.first_primitive].normal[0u];
+        let _e80 = global[0u];
+        if (_e78 == _e80) {
+            let _e83 = samples.member[_e68.first_primitive].normal[1u];
+            let _e85 = global[1u];
+            if (_e83 == _e85) {
+                let _e88 = samples.member[_e68.first_primitive].normal[2u];
+                let _e90 = global[2u];
+                phi_613_ = (_e88 == _e90);
+                phi_614_ = false;
             } else {
-                phi_611_ = bool();
-                phi_612_ = true;
+                phi_613_ = bool();
+                phi_614_ = true;
             }
-            let _e92 = phi_611_;
-            let _e94 = phi_612_;
-            phi_613_ = _e92;
-            phi_614_ = _e94;
+            let _e93 = phi_613_;
+            let _e95 = phi_614_;
+            phi_615_ = _e93;
+            phi_616_ = _e95;
         } else {
-            phi_613_ = bool();
-            phi_614_ = true;
+            phi_615_ = bool();
+            phi_616_ = true;
         }
-        let _e96 = phi_613_;
-        let _e98 = phi_614_;
-        if _e98 {
-            phi_618_ = false;
+        let _e97 = phi_615_;
+        let _e99 = phi_616_;
+        if _e99 {
+            phi_620_ = false;
         } else {
-            phi_618_ = _e96;
+            phi_620_ = _e97;
         }
-        let _e100 = phi_618_;
-        if !(_e100) {
-            let _e103 = samples.member[_e67.first_primitive].normal;
-            let _e105 = samples.member[_e67.first_primitive].position;
-            if ((((_e103.x * (_e74.x - (_e105.x * _e74.w))) + (_e103.y * (_e74.y - (_e105.y * _e74.w)))) + (_e103.z * (_e74.z - (_e105.z * _e74.w)))) > 0f) {
-                let _e129 = samples.member[_e67.first_primitive].flags;
-                let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
-                phi_662_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, ((_e129 & 1u) == 0u));
+        let _e101 = phi_620_;
+        if !(_e101) {
+            let _e104 = samples.member[_e68.first_primitive].normal;
+            let _e106 = samples.member[_e68.first_primitive].position;
+            if ((((_e104.x * (_e75.x - (_e106.x * _e75.w))) + (_e104.y * (_e75.y - (_e106.y * _e75.w)))) + (_e104.z * (_e75.z - (_e106.z * _e75.w)))) > 0f) {
+                let _e130 = samples.member[_e68.first_primitive].flags;
+                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
+                phi_664_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, ((_e130 & 1u) == 0u));
             } else {
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e152.unnamed.visibility, false), _e152.unnamed_1);
-                phi_662_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, true);
+                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
+                phi_664_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
             }
-            let _e163 = phi_662_;
-            phi_666_ = _e163;
+            let _e164 = phi_664_;
+            phi_668_ = _e164;
         } else {
-            let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-            phi_666_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, true);
+            let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
+            phi_668_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
         }
-        let _e180 = phi_666_;
-        if _e180.unnamed_1 {
-            phi_1048_ = evaluate_Verdict(_e180.unnamed.visibility, _e180.unnamed.is_doubted);
+        let _e181 = phi_668_;
+        if _e181.unnamed_1 {
+            phi_1140_ = evaluate_Verdict(_e181.unnamed.visibility, _e181.unnamed.is_doubted);
         } else {
-            let _e188 = samples.member[_e67.first_primitive].position;
-            let _e194 = p.member.projection.row_w;
-            let _e205 = ((((_e194.x * _e188.x) + (_e194.y * _e188.y)) + (_e194.z * _e188.z)) + (_e194.w * 1f));
-            let _e207 = p.member.projection.row_x;
-            let _e219 = (((((_e207.x * _e188.x) + (_e207.y * _e188.y)) + (_e207.z * _e188.z)) + (_e207.w * 1f)) / _e205);
-            let _e221 = p.member.projection.row_y;
-            let _e233 = (((((_e221.x * _e188.x) + (_e221.y * _e188.y)) + (_e221.z * _e188.z)) + (_e221.w * 1f)) / _e205);
-            let _e235 = p.member.projection.row_z;
-            let _e246 = ((((_e235.x * _e188.x) + (_e235.y * _e188.y)) + (_e235.z * _e188.z)) + (_e235.w * 1f));
-            if (_e205 > 0f) {
-                if (_e219 >= 0f) {
-                    phi_743_ = (_e219 <= 1f);
+            let _e189 = samples.member[_e68.first_primitive].position;
+            let _e195 = p.member.projection.row_w;
+            let _e206 = ((((_e195.x * _e189.x) + (_e195.y * _e189.y)) + (_e195.z * _e189.z)) + (_e195.w * 1f));
+            let _e208 = p.member.projection.row_x;
+            let _e220 = (((((_e208.x * _e189.x) + (_e208.y * _e189.y)) + (_e208.z * _e189.z)) + (_e208.w * 1f)) / _e206);
+            let _e222 = p.member.projection.row_y;
+            let _e234 = (((((_e222.x * _e189.x) + (_e222.y * _e189.y)) + (_e222.z * _e189.z)) + (_e222.w * 1f)) / _e206);
+            let _e236 = p.member.projection.row_z;
+            let _e247 = ((((_e236.x * _e189.x) + (_e236.y * _e189.y)) + (_e236.z * _e189.z)) + (_e236.w * 1f));
+            if (_e206 > 0f) {
+                if (_e220 >= 0f) {
+                    phi_745_ = (_e220 <= 1f);
                 } else {
-                    phi_743_ = false;
+                    phi_745_ = false;
                 }
-                let _e251 = phi_743_;
-                if _e251 {
-                    if (_e233 >= 0f) {
-                        phi_752_ = (_e233 <= 1f);
+                let _e252 = phi_745_;
+                if _e252 {
+                    if (_e234 >= 0f) {
+                        phi_754_ = (_e234 <= 1f);
                     } else {
-                        phi_752_ = false;
+                        phi_754_ = false;
                     }
-                    let _e255 = phi_752_;
-                    if _e255 {
-                        if (_e246 >= 0f) {
-                            phi_761_ = (_e246 <= 1f);
+                    let _e256 = phi_754_;
+                    if _e256 {
+                        if (_e247 >= 0f) {
+                            phi_763_ = (_e247 <= 1f);
                         } else {
-                            phi_761_ = false;
+                            phi_763_ = false;
                         }
-                        let _e259 = phi_761_;
-                        phi_762_ = _e259;
-                        phi_763_ = false;
+                        let _e260 = phi_763_;
+                        phi_764_ = _e260;
+                        phi_765_ = false;
                     } else {
-                        phi_762_ = bool();
-                        phi_763_ = true;
+                        phi_764_ = bool();
+                        phi_765_ = true;
                     }
-                    let _e261 = phi_762_;
-                    let _e263 = phi_763_;
-                    phi_764_ = _e261;
-                    phi_765_ = _e263;
+                    let _e262 = phi_764_;
+                    let _e264 = phi_765_;
+                    phi_766_ = _e262;
+                    phi_767_ = _e264;
                 } else {
-                    phi_764_ = bool();
-                    phi_765_ = true;
+                    phi_766_ = bool();
+                    phi_767_ = true;
                 }
-                let _e265 = phi_764_;
-                let _e267 = phi_765_;
-                phi_766_ = _e265;
-                phi_767_ = _e267;
+                let _e266 = phi_766_;
+                let _e268 = phi_767_;
+                phi_768_ = _e266;
+                phi_769_ = _e268;
             } else {
-                phi_766_ = bool();
-                phi_767_ = true;
+                phi_768_ = bool();
+                phi_769_ = true;
             }
-            let _e269 = phi_766_;
-            let _e271 = phi_767_;
-            if _e271 {
-                phi_771_ = false;
+            let _e270 = phi_768_;
+            let _e272 = phi_769_;
+            if _e272 {
+                phi_773_ = false;
             } else {
-                phi_771_ = _e269;
+                phi_773_ = _e270;
             }
-            let _e273 = phi_771_;
-            if _e273 {
-                let _e275 = p.member.map_size;
-                let _e276 = f32(_e275);
-                let _e279 = ((_e219 * _e276) - 0.5f);
-                let _e280 = ((_e233 * _e276) - 0.5f);
-                if (_e279 > -8388608f) {
-                    let _e292 = f32(select(0i, select(select(i32(_e279), i32(-2147483648), (_e279 < bitcast<f32>(3472883712u))), 2147483647i, (_e279 > bitcast<f32>(1325400063u))), (_e279 == _e279)));
-                    if (_e292 > _e279) {
-                        phi_807_ = 1f;
+            let _e274 = phi_773_;
+            if _e274 {
+                if (0f > 0f) {
+                    let _e277 = samples.member[_e68.first_primitive].normal;
+                    let _e279 = p.member.map_size;
+                    let _e282 = p.member.projection.row_x;
+                    let _e304 = p.member.projection.row_y;
+                    let _e326 = p.member.projection.row_z;
+                    let _e353 = ((abs(((((_e282.x * _e277.x) + (_e282.y * _e277.y)) + (_e282.z * _e277.z)) / (((_e282.x * _e282.x) + (_e282.y * _e282.y)) + (_e282.z * _e282.z)))) + abs(((((_e304.x * _e277.x) + (_e304.y * _e277.y)) + (_e304.z * _e277.z)) / (((_e304.x * _e304.x) + (_e304.y * _e304.y)) + (_e304.z * _e304.z))))) / (abs(((((_e326.x * _e277.x) + (_e326.y * _e277.y)) + (_e326.z * _e277.z)) / (((_e326.x * _e326.x) + (_e326.y * _e326.y)) + (_e326.z * _e326.z)))) * f32(_e279)));
+                    if (_e353 < 0.002f) {
+                        phi_867_ = _e353;
                     } else {
-                        phi_807_ = 0f;
+                        phi_867_ = 0.002f;
                     }
-                    let _e295 = phi_807_;
-                    if (_e279 < 8388608f) {
-                        phi_812_ = (_e292 - _e295);
-                        phi_813_ = false;
+                    let _e356 = phi_867_;
+                    phi_870_ = (_e247 - (0f * _e356));
+                } else {
+                    phi_870_ = _e247;
+                }
+                let _e360 = phi_870_;
+                let _e362 = p.member.map_size;
+                let _e363 = f32(_e362);
+                let _e366 = ((_e220 * _e363) - 0.5f);
+                let _e367 = ((_e234 * _e363) - 0.5f);
+                if (_e366 > -8388608f) {
+                    let _e379 = f32(select(0i, select(select(i32(_e366), i32(-2147483648), (_e366 < bitcast<f32>(3472883712u))), 2147483647i, (_e366 > bitcast<f32>(1325400063u))), (_e366 == _e366)));
+                    if (_e379 > _e366) {
+                        phi_899_ = 1f;
                     } else {
-                        phi_812_ = f32();
-                        phi_813_ = true;
+                        phi_899_ = 0f;
                     }
-                    let _e298 = phi_812_;
-                    let _e300 = phi_813_;
-                    phi_814_ = _e298;
-                    phi_815_ = _e300;
-                } else {
-                    phi_814_ = f32();
-                    phi_815_ = true;
-                }
-                let _e302 = phi_814_;
-                let _e304 = phi_815_;
-                if _e304 {
-                    phi_819_ = _e279;
-                } else {
-                    phi_819_ = _e302;
-                }
-                let _e306 = phi_819_;
-                if (_e280 > -8388608f) {
-                    let _e318 = f32(select(0i, select(select(i32(_e280), i32(-2147483648), (_e280 < bitcast<f32>(3472883712u))), 2147483647i, (_e280 > bitcast<f32>(1325400063u))), (_e280 == _e280)));
-                    if (_e318 > _e280) {
-                        phi_839_ = 1f;
+                    let _e382 = phi_899_;
+                    if (_e366 < 8388608f) {
+                        phi_904_ = (_e379 - _e382);
+                        phi_905_ = false;
                     } else {
-                        phi_839_ = 0f;
+                        phi_904_ = f32();
+                        phi_905_ = true;
                     }
-                    let _e321 = phi_839_;
-                    if (_e280 < 8388608f) {
-                        phi_844_ = (_e318 - _e321);
-                        phi_845_ = false;
+                    let _e385 = phi_904_;
+                    let _e387 = phi_905_;
+                    phi_906_ = _e385;
+                    phi_907_ = _e387;
+                } else {
+                    phi_906_ = f32();
+                    phi_907_ = true;
+                }
+                let _e389 = phi_906_;
+                let _e391 = phi_907_;
+                if _e391 {
+                    phi_911_ = _e366;
+                } else {
+                    phi_911_ = _e389;
+                }
+                let _e393 = phi_911_;
+                if (_e367 > -8388608f) {
+                    let _e405 = f32(select(0i, select(select(i32(_e367), i32(-2147483648), (_e367 < bitcast<f32>(3472883712u))), 2147483647i, (_e367 > bitcast<f32>(1325400063u))), (_e367 == _e367)));
+                    if (_e405 > _e367) {
+                        phi_931_ = 1f;
                     } else {
-                        phi_844_ = f32();
-                        phi_845_ = true;
+                        phi_931_ = 0f;
                     }
-                    let _e324 = phi_844_;
-                    let _e326 = phi_845_;
-                    phi_846_ = _e324;
-                    phi_847_ = _e326;
+                    let _e408 = phi_931_;
+                    if (_e367 < 8388608f) {
+                        phi_936_ = (_e405 - _e408);
+                        phi_937_ = false;
+                    } else {
+                        phi_936_ = f32();
+                        phi_937_ = true;
+                    }
+                    let _e411 = phi_936_;
+                    let _e413 = phi_937_;
+                    phi_938_ = _e411;
+                    phi_939_ = _e413;
                 } else {
-                    phi_846_ = f32();
-                    phi_847_ = true;
+                    phi_938_ = f32();
+                    phi_939_ = true;
                 }
-                let _e328 = phi_846_;
-                let _e330 = phi_847_;
-                if _e330 {
-                    phi_851_ = _e280;
+                let _e415 = phi_938_;
+                let _e417 = phi_939_;
+                if _e417 {
+                    phi_943_ = _e367;
                 } else {
-                    phi_851_ = _e328;
+                    phi_943_ = _e415;
                 }
-                let _e332 = phi_851_;
-                let _e333 = (_e279 - _e306);
-                let _e334 = (_e280 - _e332);
-                let _e343 = select(0i, select(select(i32(_e306), i32(-2147483648), (_e306 < bitcast<f32>(3472883712u))), 2147483647i, (_e306 > bitcast<f32>(1325400063u))), (_e306 == _e306));
-                let _e352 = select(0i, select(select(i32(_e332), i32(-2147483648), (_e332 < bitcast<f32>(3472883712u))), 2147483647i, (_e332 > bitcast<f32>(1325400063u))), (_e332 == _e332));
-                let _e355 = ((1f - _e333) * (1f - _e334));
-                let _e357 = (_e333 * (1f - _e334));
-                let _e359 = ((1f - _e333) * _e334);
-                let _e360 = (_e333 * _e334);
-                let _e362 = p.member.test;
-                let _e363 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e362);
-                let _e365 = p.member.map_size;
-                local_1 = lt_math_Evsm(_e363.positive_exponent, _e363.negative_exponent, _e363.min_variance);
-                let _e371 = (bitcast<i32>(_e365) - 1i);
-                if (_e343 > 0i) {
-                    phi_901_ = _e343;
+                let _e419 = phi_943_;
+                let _e420 = (_e366 - _e393);
+                let _e421 = (_e367 - _e419);
+                let _e430 = select(0i, select(select(i32(_e393), i32(-2147483648), (_e393 < bitcast<f32>(3472883712u))), 2147483647i, (_e393 > bitcast<f32>(1325400063u))), (_e393 == _e393));
+                let _e439 = select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419));
+                let _e442 = ((1f - _e420) * (1f - _e421));
+                let _e444 = (_e420 * (1f - _e421));
+                let _e446 = ((1f - _e420) * _e421);
+                let _e447 = (_e420 * _e421);
+                let _e449 = p.member.test;
+                let _e450 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e449);
+                let _e452 = p.member.map_size;
+                local_1 = lt_math_Evsm(_e450.positive_exponent, _e450.negative_exponent, _e450.min_variance);
+                let _e458 = (bitcast<i32>(_e452) - 1i);
+                if (_e430 > 0i) {
+                    phi_993_ = _e430;
                 } else {
-                    phi_901_ = 0i;
+                    phi_993_ = 0i;
                 }
-                let _e374 = phi_901_;
-                if (_e352 > 0i) {
-                    phi_906_ = _e352;
+                let _e461 = phi_993_;
+                if (_e439 > 0i) {
+                    phi_998_ = _e439;
                 } else {
-                    phi_906_ = 0i;
+                    phi_998_ = 0i;
                 }
-                let _e377 = phi_906_;
-                if (_e374 < _e371) {
-                    phi_911_ = _e374;
+                let _e464 = phi_998_;
+                if (_e461 < _e458) {
+                    phi_1003_ = _e461;
                 } else {
-                    phi_911_ = _e371;
+                    phi_1003_ = _e458;
                 }
-                let _e380 = phi_911_;
-                if (_e377 < _e371) {
-                    phi_916_ = _e377;
+                let _e467 = phi_1003_;
+                if (_e464 < _e458) {
+                    phi_1008_ = _e464;
                 } else {
-                    phi_916_ = _e371;
+                    phi_1008_ = _e458;
                 }
-                let _e383 = phi_916_;
-                let _e384 = bitcast<u32>(_e380);
-                let _e386 = (_e343 + 1i);
-                let _e387 = (_e352 + 1i);
-                if (_e386 > 0i) {
-                    phi_925_ = _e386;
+                let _e470 = phi_1008_;
+                let _e471 = bitcast<u32>(_e467);
+                let _e473 = (_e430 + 1i);
+                let _e474 = (_e439 + 1i);
+                if (_e473 > 0i) {
+                    phi_1017_ = _e473;
                 } else {
-                    phi_925_ = 0i;
+                    phi_1017_ = 0i;
                 }
-                let _e390 = phi_925_;
-                if (_e387 > 0i) {
-                    phi_930_ = _e387;
+                let _e477 = phi_1017_;
+                if (_e474 > 0i) {
+                    phi_1022_ = _e474;
                 } else {
-                    phi_930_ = 0i;
+                    phi_1022_ = 0i;
                 }
-                let _e393 = phi_930_;
-                if (_e390 < _e371) {
-                    phi_935_ = _e390;
+                let _e480 = phi_1022_;
+                if (_e477 < _e458) {
+                    phi_1027_ = _e477;
                 } else {
-                    phi_935_ = _e371;
+                    phi_1027_ = _e458;
                 }
-                let _e396 = phi_935_;
-                if (_e393 < _e371) {
-                    phi_940_ = _e393;
+                let _e483 = phi_1027_;
+                if (_e480 < _e458) {
+                    phi_1032_ = _e480;
                 } else {
-                    phi_940_ = _e371;
+                    phi_1032_ = _e458;
                 }
-                let _e399 = phi_940_;
-                let _e400 = bitcast<u32>(_e396);
-                let _e402 = (bitcast<u32>(_e383) * _e365);
-                let _e403 = (bitcast<u32>(_e399) * _e365);
-                let _e404 = (_e402 + _e384);
-                let _e405 = (_e402 + _e400);
-                let _e406 = (_e403 + _e384);
-                let _e407 = (_e403 + _e400);
-                if (_e404 < _e57) {
+                let _e486 = phi_1032_;
+                let _e487 = bitcast<u32>(_e483);
+                let _e489 = (bitcast<u32>(_e470) * _e452);
+                let _e490 = (bitcast<u32>(_e486) * _e452);
+                let _e491 = (_e489 + _e471);
+                let _e492 = (_e489 + _e487);
+                let _e493 = (_e490 + _e471);
+                let _e494 = (_e490 + _e487);
+                if (_e491 < _e58) {
                 } else {
                     return;
                 }
-                let _e411 = map.member[(0u + _e404)];
-                if (_e405 < _e57) {
+                let _e498 = map.member[(0u + _e491)];
+                if (_e492 < _e58) {
                 } else {
                     return;
                 }
-                let _e423 = map.member[(0u + _e405)];
-                if (_e406 < _e57) {
+                let _e510 = map.member[(0u + _e492)];
+                if (_e493 < _e58) {
                 } else {
                     return;
                 }
-                let _e439 = map.member[(0u + _e406)];
-                if (_e407 < _e57) {
+                let _e526 = map.member[(0u + _e493)];
+                if (_e494 < _e58) {
                 } else {
                     return;
                 }
-                let _e455 = map.member[(0u + _e407)];
-                let _e469 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e411.x * _e355) + (_e423.x * _e357)) + (_e439.x * _e359)) + (_e455.x * _e360)), ((((_e411.y * _e355) + (_e423.y * _e357)) + (_e439.y * _e359)) + (_e455.y * _e360)), ((((_e411.z * _e355) + (_e423.z * _e357)) + (_e439.z * _e359)) + (_e455.z * _e360)), ((((_e411.w * _e355) + (_e423.w * _e357)) + (_e439.w * _e359)) + (_e455.w * _e360))), _e246);
-                let _e471 = p.member.epsilon;
-                if (_e469 <= _e471) {
-                    phi_1031_ = true;
+                let _e542 = map.member[(0u + _e494)];
+                let _e556 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e498.x * _e442) + (_e510.x * _e444)) + (_e526.x * _e446)) + (_e542.x * _e447)), ((((_e498.y * _e442) + (_e510.y * _e444)) + (_e526.y * _e446)) + (_e542.y * _e447)), ((((_e498.z * _e442) + (_e510.z * _e444)) + (_e526.z * _e446)) + (_e542.z * _e447)), ((((_e498.w * _e442) + (_e510.w * _e444)) + (_e526.w * _e446)) + (_e542.w * _e447))), _e360);
+                let _e558 = p.member.epsilon;
+                if (_e556 <= _e558) {
+                    phi_1123_ = true;
                 } else {
-                    phi_1031_ = (_e469 >= (1f - _e471));
+                    phi_1123_ = (_e556 >= (1f - _e558));
                 }
-                let _e476 = phi_1031_;
-                if ((bitcast<u32>(_e469) & 2147483647u) > 2139095040u) {
-                    phi_1039_ = true;
+                let _e563 = phi_1123_;
+                if ((bitcast<u32>(_e556) & 2147483647u) > 2139095040u) {
+                    phi_1131_ = true;
                 } else {
-                    phi_1039_ = !(_e476);
+                    phi_1131_ = !(_e563);
                 }
-                let _e482 = phi_1039_;
-                if (_e469 > 0.5f) {
-                    phi_1044_ = 1f;
+                let _e569 = phi_1131_;
+                if (_e556 > 0.5f) {
+                    phi_1136_ = 1f;
                 } else {
-                    phi_1044_ = 0f;
+                    phi_1136_ = 0f;
                 }
-                let _e485 = phi_1044_;
-                phi_1047_ = evaluate_Verdict(_e485, _e482);
+                let _e572 = phi_1136_;
+                phi_1139_ = evaluate_Verdict(_e572, _e569);
             } else {
-                phi_1047_ = evaluate_Verdict(1f, true);
+                phi_1139_ = evaluate_Verdict(1f, true);
             }
-            let _e489 = phi_1047_;
-            phi_1048_ = _e489;
+            let _e576 = phi_1139_;
+            phi_1140_ = _e576;
         }
-        let _e491 = phi_1048_;
-        visibility.member[_e67.first_primitive] = _e491.visibility;
-        phi_1052_ = _e491.is_doubted;
-        phi_1053_ = _e67.first_primitive;
+        let _e578 = phi_1140_;
+        visibility.member[_e68.first_primitive] = _e578.visibility;
+        phi_1144_ = _e578.is_doubted;
+        phi_1145_ = _e68.first_primitive;
     } else {
-        phi_1052_ = false;
-        phi_1053_ = 0u;
+        phi_1144_ = false;
+        phi_1145_ = 0u;
     }
-    let _e496 = phi_1052_;
-    let _e498 = phi_1053_;
-    if _e496 {
-        let _e500 = atomicAdd((&shared_[0u]), 1u);
-        phi_1059_ = _e500;
+    let _e583 = phi_1144_;
+    let _e585 = phi_1145_;
+    if _e583 {
+        let _e587 = atomicAdd((&shared_[0u]), 1u);
+        phi_1151_ = _e587;
     } else {
-        phi_1059_ = 0u;
+        phi_1151_ = 0u;
     }
-    let _e502 = phi_1059_;
+    let _e589 = phi_1151_;
     workgroupBarrier();
-    if (_e52 == 0u) {
-        let _e506 = atomicLoad((&shared_[0u]));
-        let _e507 = atomicAdd((&list.member[3u]), _e506);
-        atomicStore((&shared_[1u]), _e507);
+    if (_e53 == 0u) {
+        let _e593 = atomicLoad((&shared_[0u]));
+        let _e594 = atomicAdd((&list.member[3u]), _e593);
+        atomicStore((&shared_[1u]), _e594);
     }
     workgroupBarrier();
-    if _e496 {
-        let _e510 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e510) + _e502)]), _e498);
+    if _e583 {
+        let _e597 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e597) + _e589)]), _e585);
     }
     return;
 }

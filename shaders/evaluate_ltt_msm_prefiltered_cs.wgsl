@@ -82,37 +82,37 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> map: type_36;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_147_: lt_bvh_traverse_Tree;
-    var phi_148_: bool;
-    var phi_149_: lt_bvh_traverse_Tree;
-    var phi_150_: bool;
-    var phi_155_: lt_bvh_traverse_Tree;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_156_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_148_ = false;
+            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_149_ = false;
         } else {
-            phi_147_ = lt_bvh_traverse_Tree();
-            phi_148_ = true;
+            phi_148_ = lt_bvh_traverse_Tree();
+            phi_149_ = true;
         }
-        let _e50 = phi_147_;
-        let _e52 = phi_148_;
-        phi_149_ = _e50;
-        phi_150_ = _e52;
+        let _e51 = phi_148_;
+        let _e53 = phi_149_;
+        phi_150_ = _e51;
+        phi_151_ = _e53;
     } else {
-        phi_149_ = lt_bvh_traverse_Tree();
-        phi_150_ = true;
+        phi_150_ = lt_bvh_traverse_Tree();
+        phi_151_ = true;
     }
-    let _e54 = phi_149_;
-    let _e56 = phi_150_;
-    if _e56 {
-        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e55 = phi_150_;
+    let _e57 = phi_151_;
+    if _e57 {
+        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_155_ = _e54;
+        phi_156_ = _e55;
     }
-    let _e61 = phi_155_;
-    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
+    let _e62 = phi_156_;
+    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -120,561 +120,581 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_204_: f32;
     var phi_205_: f32;
     var phi_206_: f32;
-    var phi_212_: bool;
-    var phi_234_: f32;
+    var phi_207_: f32;
+    var phi_213_: bool;
     var phi_235_: f32;
     var phi_236_: f32;
     var phi_237_: f32;
-    var phi_238_: bool;
-    var phi_239_: f32;
-    var phi_240_: bool;
-    var phi_278_: vec2<f32>;
-    var phi_312_: f32;
+    var phi_238_: f32;
+    var phi_239_: bool;
+    var phi_240_: f32;
+    var phi_241_: bool;
+    var phi_279_: vec2<f32>;
     var phi_313_: f32;
     var phi_314_: f32;
-    var phi_343_: f32;
+    var phi_315_: f32;
     var phi_344_: f32;
     var phi_345_: f32;
-    var phi_349_: f32;
+    var phi_346_: f32;
     var phi_350_: f32;
     var phi_351_: f32;
     var phi_352_: f32;
+    var phi_353_: f32;
 
-    let _e40 = (*param_4);
-    let _e41 = (1f - _e40);
-    let _e50 = (0.5f * _e40);
-    let _e51 = ((param_5.x * _e41) + _e50);
-    let _e52 = ((param_5.y * _e41) + _e50);
-    let _e54 = ((param_5.w * _e41) + _e50);
-    let _e56 = (_e52 - (_e51 * _e51));
-    let _e58 = (((param_5.z * _e41) + _e50) - (_e51 * _e52));
+    let _e41 = (*param_4);
+    let _e42 = (1f - _e41);
+    let _e51 = (0.5f * _e41);
+    let _e52 = ((param_5.x * _e42) + _e51);
+    let _e53 = ((param_5.y * _e42) + _e51);
+    let _e55 = ((param_5.w * _e42) + _e51);
+    let _e57 = (_e53 - (_e52 * _e52));
+    let _e59 = (((param_5.z * _e42) + _e51) - (_e52 * _e53));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_206_ = param_6;
+        phi_207_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_205_ = 0f;
+            phi_206_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_204_ = 1f;
+                phi_205_ = 1f;
             } else {
-                phi_204_ = param_6;
+                phi_205_ = param_6;
             }
-            let _e70 = phi_204_;
-            phi_205_ = _e70;
+            let _e71 = phi_205_;
+            phi_206_ = _e71;
         }
-        let _e72 = phi_205_;
-        phi_206_ = _e72;
+        let _e73 = phi_206_;
+        phi_207_ = _e73;
     }
-    let _e74 = phi_206_;
-    if (_e51 == _e54) {
-        phi_212_ = (_e51 > 0.5f);
+    let _e75 = phi_207_;
+    if (_e52 == _e55) {
+        phi_213_ = (_e52 > 0.5f);
     } else {
-        phi_212_ = false;
+        phi_213_ = false;
     }
-    let _e78 = phi_212_;
-    if _e78 {
-        if (_e74 > 0f) {
-            if ((bitcast<u32>(_e51) & 2147483647u) > 2139095040u) {
-                phi_236_ = _e51;
+    let _e79 = phi_213_;
+    if _e79 {
+        if (_e75 > 0f) {
+            if ((bitcast<u32>(_e52) & 2147483647u) > 2139095040u) {
+                phi_237_ = _e52;
             } else {
-                if (_e51 < 0f) {
-                    phi_235_ = 0f;
+                if (_e52 < 0f) {
+                    phi_236_ = 0f;
                 } else {
-                    if (_e51 > 1f) {
-                        phi_234_ = 1f;
+                    if (_e52 > 1f) {
+                        phi_235_ = 1f;
                     } else {
-                        phi_234_ = _e51;
+                        phi_235_ = _e52;
                     }
-                    let _e86 = phi_234_;
-                    phi_235_ = _e86;
+                    let _e87 = phi_235_;
+                    phi_236_ = _e87;
                 }
-                let _e88 = phi_235_;
-                phi_236_ = _e88;
+                let _e89 = phi_236_;
+                phi_237_ = _e89;
             }
-            let _e90 = phi_236_;
-            phi_237_ = _e90;
-            phi_238_ = false;
+            let _e91 = phi_237_;
+            phi_238_ = _e91;
+            phi_239_ = false;
         } else {
-            phi_237_ = f32();
-            phi_238_ = true;
+            phi_238_ = f32();
+            phi_239_ = true;
         }
-        let _e92 = phi_237_;
-        let _e94 = phi_238_;
-        phi_239_ = _e92;
-        phi_240_ = _e94;
+        let _e93 = phi_238_;
+        let _e95 = phi_239_;
+        phi_240_ = _e93;
+        phi_241_ = _e95;
     } else {
-        phi_239_ = f32();
-        phi_240_ = true;
+        phi_240_ = f32();
+        phi_241_ = true;
     }
-    let _e96 = phi_239_;
-    let _e98 = phi_240_;
-    if _e98 {
-        let _e99 = (_e58 / _e56);
-        let _e100 = (_e74 - _e51);
-        let _e106 = (((((_e74 * _e74) - _e52) - (_e99 * _e100)) * _e56) / (((_e54 - (_e52 * _e52)) * _e56) - (_e58 * _e58)));
-        let _e109 = ((_e100 / _e56) - (_e99 * _e106));
-        let _e115 = ((0.5f * _e109) / _e106);
-        let _e118 = ((_e115 * _e115) - (((1f - (_e109 * _e51)) - (_e106 * _e52)) / _e106));
-        if (_e118 >= 0f) {
-            let _e120 = sqrt(_e118);
-            phi_278_ = vec2<f32>((-(_e115) - _e120), (-(_e115) + _e120));
+    let _e97 = phi_240_;
+    let _e99 = phi_241_;
+    if _e99 {
+        let _e100 = (_e59 / _e57);
+        let _e101 = (_e75 - _e52);
+        let _e107 = (((((_e75 * _e75) - _e53) - (_e100 * _e101)) * _e57) / (((_e55 - (_e53 * _e53)) * _e57) - (_e59 * _e59)));
+        let _e110 = ((_e101 / _e57) - (_e100 * _e107));
+        let _e116 = ((0.5f * _e110) / _e107);
+        let _e119 = ((_e116 * _e116) - (((1f - (_e110 * _e52)) - (_e107 * _e53)) / _e107));
+        if (_e119 >= 0f) {
+            let _e121 = sqrt(_e119);
+            phi_279_ = vec2<f32>((-(_e116) - _e121), (-(_e116) + _e121));
         } else {
-            phi_278_ = vec2(bitcast<f32>((bitcast<u32>(_e118) | 2143289344u)));
+            phi_279_ = vec2(bitcast<f32>((bitcast<u32>(_e119) | 2143289344u)));
         }
-        let _e131 = phi_278_;
-        if (_e74 <= _e131.x) {
-            phi_351_ = 1f;
+        let _e132 = phi_279_;
+        if (_e75 <= _e132.x) {
+            phi_352_ = 1f;
         } else {
-            if (_e74 > _e131.y) {
-                let _e144 = (((_e52 - (_e51 * (_e131.x + _e131.y))) + (_e131.x * _e131.y)) / ((_e74 - _e131.x) * (_e74 - _e131.y)));
-                if ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u) {
-                    phi_314_ = _e144;
+            if (_e75 > _e132.y) {
+                let _e145 = (((_e53 - (_e52 * (_e132.x + _e132.y))) + (_e132.x * _e132.y)) / ((_e75 - _e132.x) * (_e75 - _e132.y)));
+                if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
+                    phi_315_ = _e145;
                 } else {
-                    if (_e144 < 0f) {
-                        phi_313_ = 0f;
+                    if (_e145 < 0f) {
+                        phi_314_ = 0f;
                     } else {
-                        if (_e144 > 1f) {
-                            phi_312_ = 1f;
+                        if (_e145 > 1f) {
+                            phi_313_ = 1f;
                         } else {
-                            phi_312_ = _e144;
+                            phi_313_ = _e145;
                         }
-                        let _e151 = phi_312_;
-                        phi_313_ = _e151;
+                        let _e152 = phi_313_;
+                        phi_314_ = _e152;
                     }
-                    let _e153 = phi_313_;
-                    phi_314_ = _e153;
+                    let _e154 = phi_314_;
+                    phi_315_ = _e154;
                 }
-                let _e155 = phi_314_;
-                phi_350_ = _e155;
+                let _e156 = phi_315_;
+                phi_351_ = _e156;
             } else {
-                if (_e74 > _e131.x) {
-                    let _e166 = (1f - (((_e52 - (_e51 * (_e74 + _e131.y))) + (_e74 * _e131.y)) / ((_e131.x - _e74) * (_e131.x - _e131.y))));
-                    if ((bitcast<u32>(_e166) & 2147483647u) > 2139095040u) {
-                        phi_345_ = _e166;
+                if (_e75 > _e132.x) {
+                    let _e167 = (1f - (((_e53 - (_e52 * (_e75 + _e132.y))) + (_e75 * _e132.y)) / ((_e132.x - _e75) * (_e132.x - _e132.y))));
+                    if ((bitcast<u32>(_e167) & 2147483647u) > 2139095040u) {
+                        phi_346_ = _e167;
                     } else {
-                        if (_e166 < 0f) {
-                            phi_344_ = 0f;
+                        if (_e167 < 0f) {
+                            phi_345_ = 0f;
                         } else {
-                            if (_e166 > 1f) {
-                                phi_343_ = 1f;
+                            if (_e167 > 1f) {
+                                phi_344_ = 1f;
                             } else {
-                                phi_343_ = _e166;
+                                phi_344_ = _e167;
                             }
-                            let _e173 = phi_343_;
-                            phi_344_ = _e173;
+                            let _e174 = phi_344_;
+                            phi_345_ = _e174;
                         }
-                        let _e175 = phi_344_;
-                        phi_345_ = _e175;
+                        let _e176 = phi_345_;
+                        phi_346_ = _e176;
                     }
-                    let _e177 = phi_345_;
-                    phi_349_ = _e177;
+                    let _e178 = phi_346_;
+                    phi_350_ = _e178;
                 } else {
-                    phi_349_ = bitcast<f32>((bitcast<u32>(_e131.x) | 2143289344u));
+                    phi_350_ = bitcast<f32>((bitcast<u32>(_e132.x) | 2143289344u));
                 }
-                let _e182 = phi_349_;
-                phi_350_ = _e182;
+                let _e183 = phi_350_;
+                phi_351_ = _e183;
             }
-            let _e184 = phi_350_;
-            phi_351_ = _e184;
+            let _e185 = phi_351_;
+            phi_352_ = _e185;
         }
-        let _e186 = phi_351_;
-        phi_352_ = _e186;
+        let _e187 = phi_352_;
+        phi_353_ = _e187;
     } else {
-        phi_352_ = _e96;
+        phi_353_ = _e97;
     }
-    let _e188 = phi_352_;
-    return _e188;
+    let _e189 = phi_353_;
+    return _e189;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_406_: bool;
     var phi_407_: bool;
     var phi_408_: bool;
     var phi_409_: bool;
-    var phi_413_: bool;
-    var phi_457_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_461_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_538_: bool;
-    var phi_547_: bool;
-    var phi_556_: bool;
+    var phi_410_: bool;
+    var phi_414_: bool;
+    var phi_458_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_539_: bool;
+    var phi_548_: bool;
     var phi_557_: bool;
     var phi_558_: bool;
     var phi_559_: bool;
     var phi_560_: bool;
     var phi_561_: bool;
     var phi_562_: bool;
-    var phi_566_: bool;
-    var phi_602_: f32;
-    var phi_607_: f32;
-    var phi_608_: bool;
-    var phi_609_: f32;
-    var phi_610_: bool;
-    var phi_614_: f32;
-    var phi_634_: f32;
-    var phi_639_: f32;
-    var phi_640_: bool;
-    var phi_641_: f32;
-    var phi_642_: bool;
-    var phi_646_: f32;
-    var phi_692_: i32;
-    var phi_697_: i32;
-    var phi_702_: i32;
-    var phi_707_: i32;
-    var phi_716_: i32;
-    var phi_721_: i32;
-    var phi_726_: i32;
-    var phi_731_: i32;
-    var phi_822_: bool;
-    var phi_830_: bool;
-    var phi_835_: f32;
-    var phi_838_: evaluate_Verdict;
-    var phi_839_: evaluate_Verdict;
-    var phi_843_: bool;
-    var phi_844_: u32;
-    var phi_850_: u32;
+    var phi_563_: bool;
+    var phi_567_: bool;
+    var phi_661_: f32;
+    var phi_664_: f32;
+    var phi_693_: f32;
+    var phi_698_: f32;
+    var phi_699_: bool;
+    var phi_700_: f32;
+    var phi_701_: bool;
+    var phi_705_: f32;
+    var phi_725_: f32;
+    var phi_730_: f32;
+    var phi_731_: bool;
+    var phi_732_: f32;
+    var phi_733_: bool;
+    var phi_737_: f32;
+    var phi_783_: i32;
+    var phi_788_: i32;
+    var phi_793_: i32;
+    var phi_798_: i32;
+    var phi_807_: i32;
+    var phi_812_: i32;
+    var phi_817_: i32;
+    var phi_822_: i32;
+    var phi_913_: bool;
+    var phi_921_: bool;
+    var phi_926_: f32;
+    var phi_929_: evaluate_Verdict;
+    var phi_930_: evaluate_Verdict;
+    var phi_934_: bool;
+    var phi_935_: u32;
+    var phi_941_: u32;
 
-    let _e38 = id_1;
-    let _e39 = local_2;
-    let _e44 = arrayLength((&map.member));
-    if (_e39 == 0u) {
+    let _e39 = id_1;
+    let _e40 = local_2;
+    let _e45 = arrayLength((&map.member));
+    if (_e40 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e51 = p.member.size[0u];
-    let _e53 = p.member.size[1u];
-    let _e54 = lt_shaders_entry_pixel_index(_e38, _e51, _e53);
-    if (bitcast<i32>(_e54.root) != 0i) {
-        let _e61 = p.member.light;
-        let _e64 = samples.member[_e54.first_primitive].normal[0u];
-        let _e66 = global[0u];
-        if (_e64 == _e66) {
-            let _e69 = samples.member[_e54.first_primitive].normal[1u];
-            let _e71 = global[1u];
-            if (_e69 == _e71) {
-                let _e74 = samples.member[_e54.first_primitive].normal[2u];
-                let _e76 = global[2u];
-                phi_406_ = (_e74 == _e76);
-                phi_407_ = false;
+    let _e52 = p.member.size[0u];
+    let _e54 = p.member.size[1u];
+    let _e55 = lt_shaders_entry_pixel_index(_e39, _e52, _e54);
+    if (bitcast<i32>(_e55.root) != 0i) {
+        let _e62 = p.member.light;
+        let _e65 = samples.member[_e55.first_primitive].normal[0u];
+        let _e67 = global[0u];
+        if (_e65 == _e67) {
+            let _e70 = samples.member[_e55.first_primitive].normal[1u];
+            let _e72 = global[1u];
+            if (_e70 == _e72) {
+                let _e75 = samples.member[_e55.first_primitive].normal[2u];
+                let _e77 = global[2u];
+                phi_407_ = (_e75 == _e77);
+                phi_408_ = false;
             } else {
-                phi_406_ = bool();
-                phi_407_ = true;
+                phi_407_ = bool();
+                phi_408_ = true;
             }
-            let _e79 = phi_406_;
-            let _e81 = phi_407_;
-            phi_408_ = _e79;
-            phi_409_ = _e81;
+            let _e80 = phi_407_;
+            let _e82 = phi_408_;
+            phi_409_ = _e80;
+            phi_410_ = _e82;
         } else {
-            phi_408_ = bool();
-            phi_409_ = true;
+            phi_409_ = bool();
+            phi_410_ = true;
         }
-        let _e83 = phi_408_;
-        let _e85 = phi_409_;
-        if _e85 {
-            phi_413_ = false;
+        let _e84 = phi_409_;
+        let _e86 = phi_410_;
+        if _e86 {
+            phi_414_ = false;
         } else {
-            phi_413_ = _e83;
+            phi_414_ = _e84;
         }
-        let _e87 = phi_413_;
-        if !(_e87) {
-            let _e90 = samples.member[_e54.first_primitive].normal;
-            let _e92 = samples.member[_e54.first_primitive].position;
-            if ((((_e90.x * (_e61.x - (_e92.x * _e61.w))) + (_e90.y * (_e61.y - (_e92.y * _e61.w)))) + (_e90.z * (_e61.z - (_e92.z * _e61.w)))) > 0f) {
-                let _e116 = samples.member[_e54.first_primitive].flags;
-                let _e124 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e130 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e124.unnamed.visibility, false), _e124.unnamed_1);
-                phi_457_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, ((_e116 & 1u) == 0u));
+        let _e88 = phi_414_;
+        if !(_e88) {
+            let _e91 = samples.member[_e55.first_primitive].normal;
+            let _e93 = samples.member[_e55.first_primitive].position;
+            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
+                let _e117 = samples.member[_e55.first_primitive].flags;
+                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
+                phi_458_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
             } else {
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
-                phi_457_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, true);
+                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
+                phi_458_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
             }
-            let _e150 = phi_457_;
-            phi_461_ = _e150;
+            let _e151 = phi_458_;
+            phi_462_ = _e151;
         } else {
-            let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
-            phi_461_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
+            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
+            phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
         }
-        let _e167 = phi_461_;
-        if _e167.unnamed_1 {
-            phi_839_ = evaluate_Verdict(_e167.unnamed.visibility, _e167.unnamed.is_doubted);
+        let _e168 = phi_462_;
+        if _e168.unnamed_1 {
+            phi_930_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
         } else {
-            let _e175 = samples.member[_e54.first_primitive].position;
-            let _e181 = p.member.projection.row_w;
-            let _e192 = ((((_e181.x * _e175.x) + (_e181.y * _e175.y)) + (_e181.z * _e175.z)) + (_e181.w * 1f));
-            let _e194 = p.member.projection.row_x;
-            let _e206 = (((((_e194.x * _e175.x) + (_e194.y * _e175.y)) + (_e194.z * _e175.z)) + (_e194.w * 1f)) / _e192);
-            let _e208 = p.member.projection.row_y;
-            let _e220 = (((((_e208.x * _e175.x) + (_e208.y * _e175.y)) + (_e208.z * _e175.z)) + (_e208.w * 1f)) / _e192);
-            let _e222 = p.member.projection.row_z;
-            let _e233 = ((((_e222.x * _e175.x) + (_e222.y * _e175.y)) + (_e222.z * _e175.z)) + (_e222.w * 1f));
-            if (_e192 > 0f) {
-                if (_e206 >= 0f) {
-                    phi_538_ = (_e206 <= 1f);
+            let _e176 = samples.member[_e55.first_primitive].position;
+            let _e182 = p.member.projection.row_w;
+            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
+            let _e195 = p.member.projection.row_x;
+            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
+            let _e209 = p.member.projection.row_y;
+            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
+            let _e223 = p.member.projection.row_z;
+            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
+            if (_e193 > 0f) {
+                if (_e207 >= 0f) {
+                    phi_539_ = (_e207 <= 1f);
                 } else {
-                    phi_538_ = false;
+                    phi_539_ = false;
                 }
-                let _e238 = phi_538_;
-                if _e238 {
-                    if (_e220 >= 0f) {
-                        phi_547_ = (_e220 <= 1f);
+                let _e239 = phi_539_;
+                if _e239 {
+                    if (_e221 >= 0f) {
+                        phi_548_ = (_e221 <= 1f);
                     } else {
-                        phi_547_ = false;
+                        phi_548_ = false;
                     }
-                    let _e242 = phi_547_;
-                    if _e242 {
-                        if (_e233 >= 0f) {
-                            phi_556_ = (_e233 <= 1f);
+                    let _e243 = phi_548_;
+                    if _e243 {
+                        if (_e234 >= 0f) {
+                            phi_557_ = (_e234 <= 1f);
                         } else {
-                            phi_556_ = false;
+                            phi_557_ = false;
                         }
-                        let _e246 = phi_556_;
-                        phi_557_ = _e246;
-                        phi_558_ = false;
+                        let _e247 = phi_557_;
+                        phi_558_ = _e247;
+                        phi_559_ = false;
                     } else {
-                        phi_557_ = bool();
-                        phi_558_ = true;
+                        phi_558_ = bool();
+                        phi_559_ = true;
                     }
-                    let _e248 = phi_557_;
-                    let _e250 = phi_558_;
-                    phi_559_ = _e248;
-                    phi_560_ = _e250;
+                    let _e249 = phi_558_;
+                    let _e251 = phi_559_;
+                    phi_560_ = _e249;
+                    phi_561_ = _e251;
                 } else {
-                    phi_559_ = bool();
-                    phi_560_ = true;
+                    phi_560_ = bool();
+                    phi_561_ = true;
                 }
-                let _e252 = phi_559_;
-                let _e254 = phi_560_;
-                phi_561_ = _e252;
-                phi_562_ = _e254;
+                let _e253 = phi_560_;
+                let _e255 = phi_561_;
+                phi_562_ = _e253;
+                phi_563_ = _e255;
             } else {
-                phi_561_ = bool();
-                phi_562_ = true;
+                phi_562_ = bool();
+                phi_563_ = true;
             }
-            let _e256 = phi_561_;
-            let _e258 = phi_562_;
-            if _e258 {
-                phi_566_ = false;
+            let _e257 = phi_562_;
+            let _e259 = phi_563_;
+            if _e259 {
+                phi_567_ = false;
             } else {
-                phi_566_ = _e256;
+                phi_567_ = _e257;
             }
-            let _e260 = phi_566_;
-            if _e260 {
-                let _e262 = p.member.map_size;
-                let _e263 = f32(_e262);
-                let _e266 = ((_e206 * _e263) - 0.5f);
-                let _e267 = ((_e220 * _e263) - 0.5f);
-                if (_e266 > -8388608f) {
-                    let _e279 = f32(select(0i, select(select(i32(_e266), i32(-2147483648), (_e266 < bitcast<f32>(3472883712u))), 2147483647i, (_e266 > bitcast<f32>(1325400063u))), (_e266 == _e266)));
-                    if (_e279 > _e266) {
-                        phi_602_ = 1f;
+            let _e261 = phi_567_;
+            if _e261 {
+                if (0f > 0f) {
+                    let _e264 = samples.member[_e55.first_primitive].normal;
+                    let _e266 = p.member.map_size;
+                    let _e269 = p.member.projection.row_x;
+                    let _e291 = p.member.projection.row_y;
+                    let _e313 = p.member.projection.row_z;
+                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
+                    if (_e340 < 0.002f) {
+                        phi_661_ = _e340;
                     } else {
-                        phi_602_ = 0f;
+                        phi_661_ = 0.002f;
                     }
-                    let _e282 = phi_602_;
-                    if (_e266 < 8388608f) {
-                        phi_607_ = (_e279 - _e282);
-                        phi_608_ = false;
+                    let _e343 = phi_661_;
+                    phi_664_ = (_e234 - (0f * _e343));
+                } else {
+                    phi_664_ = _e234;
+                }
+                let _e347 = phi_664_;
+                let _e349 = p.member.map_size;
+                let _e350 = f32(_e349);
+                let _e353 = ((_e207 * _e350) - 0.5f);
+                let _e354 = ((_e221 * _e350) - 0.5f);
+                if (_e353 > -8388608f) {
+                    let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
+                    if (_e366 > _e353) {
+                        phi_693_ = 1f;
                     } else {
-                        phi_607_ = f32();
-                        phi_608_ = true;
+                        phi_693_ = 0f;
                     }
-                    let _e285 = phi_607_;
-                    let _e287 = phi_608_;
-                    phi_609_ = _e285;
-                    phi_610_ = _e287;
-                } else {
-                    phi_609_ = f32();
-                    phi_610_ = true;
-                }
-                let _e289 = phi_609_;
-                let _e291 = phi_610_;
-                if _e291 {
-                    phi_614_ = _e266;
-                } else {
-                    phi_614_ = _e289;
-                }
-                let _e293 = phi_614_;
-                if (_e267 > -8388608f) {
-                    let _e305 = f32(select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)));
-                    if (_e305 > _e267) {
-                        phi_634_ = 1f;
+                    let _e369 = phi_693_;
+                    if (_e353 < 8388608f) {
+                        phi_698_ = (_e366 - _e369);
+                        phi_699_ = false;
                     } else {
-                        phi_634_ = 0f;
+                        phi_698_ = f32();
+                        phi_699_ = true;
                     }
-                    let _e308 = phi_634_;
-                    if (_e267 < 8388608f) {
-                        phi_639_ = (_e305 - _e308);
-                        phi_640_ = false;
+                    let _e372 = phi_698_;
+                    let _e374 = phi_699_;
+                    phi_700_ = _e372;
+                    phi_701_ = _e374;
+                } else {
+                    phi_700_ = f32();
+                    phi_701_ = true;
+                }
+                let _e376 = phi_700_;
+                let _e378 = phi_701_;
+                if _e378 {
+                    phi_705_ = _e353;
+                } else {
+                    phi_705_ = _e376;
+                }
+                let _e380 = phi_705_;
+                if (_e354 > -8388608f) {
+                    let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
+                    if (_e392 > _e354) {
+                        phi_725_ = 1f;
                     } else {
-                        phi_639_ = f32();
-                        phi_640_ = true;
+                        phi_725_ = 0f;
                     }
-                    let _e311 = phi_639_;
-                    let _e313 = phi_640_;
-                    phi_641_ = _e311;
-                    phi_642_ = _e313;
+                    let _e395 = phi_725_;
+                    if (_e354 < 8388608f) {
+                        phi_730_ = (_e392 - _e395);
+                        phi_731_ = false;
+                    } else {
+                        phi_730_ = f32();
+                        phi_731_ = true;
+                    }
+                    let _e398 = phi_730_;
+                    let _e400 = phi_731_;
+                    phi_732_ = _e398;
+                    phi_733_ = _e400;
                 } else {
-                    phi_641_ = f32();
-                    phi_642_ = true;
+                    phi_732_ = f32();
+                    phi_733_ = true;
                 }
-                let _e315 = phi_641_;
-                let _e317 = phi_642_;
-                if _e317 {
-                    phi_646_ = _e267;
+                let _e402 = phi_732_;
+                let _e404 = phi_733_;
+                if _e404 {
+                    phi_737_ = _e354;
                 } else {
-                    phi_646_ = _e315;
+                    phi_737_ = _e402;
                 }
-                let _e319 = phi_646_;
-                let _e320 = (_e266 - _e293);
-                let _e321 = (_e267 - _e319);
-                let _e330 = select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < bitcast<f32>(3472883712u))), 2147483647i, (_e293 > bitcast<f32>(1325400063u))), (_e293 == _e293));
-                let _e339 = select(0i, select(select(i32(_e319), i32(-2147483648), (_e319 < bitcast<f32>(3472883712u))), 2147483647i, (_e319 > bitcast<f32>(1325400063u))), (_e319 == _e319));
-                let _e342 = ((1f - _e320) * (1f - _e321));
-                let _e344 = (_e320 * (1f - _e321));
-                let _e346 = ((1f - _e320) * _e321);
-                let _e347 = (_e320 * _e321);
-                let _e349 = p.member.test;
-                let _e350 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e349);
-                let _e352 = p.member.map_size;
-                local_1 = _e350;
-                let _e354 = (bitcast<i32>(_e352) - 1i);
-                if (_e330 > 0i) {
-                    phi_692_ = _e330;
+                let _e406 = phi_737_;
+                let _e407 = (_e353 - _e380);
+                let _e408 = (_e354 - _e406);
+                let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
+                let _e426 = select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406));
+                let _e429 = ((1f - _e407) * (1f - _e408));
+                let _e431 = (_e407 * (1f - _e408));
+                let _e433 = ((1f - _e407) * _e408);
+                let _e434 = (_e407 * _e408);
+                let _e436 = p.member.test;
+                let _e437 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e436);
+                let _e439 = p.member.map_size;
+                local_1 = _e437;
+                let _e441 = (bitcast<i32>(_e439) - 1i);
+                if (_e417 > 0i) {
+                    phi_783_ = _e417;
                 } else {
-                    phi_692_ = 0i;
+                    phi_783_ = 0i;
                 }
-                let _e357 = phi_692_;
-                if (_e339 > 0i) {
-                    phi_697_ = _e339;
+                let _e444 = phi_783_;
+                if (_e426 > 0i) {
+                    phi_788_ = _e426;
                 } else {
-                    phi_697_ = 0i;
+                    phi_788_ = 0i;
                 }
-                let _e360 = phi_697_;
-                if (_e357 < _e354) {
-                    phi_702_ = _e357;
+                let _e447 = phi_788_;
+                if (_e444 < _e441) {
+                    phi_793_ = _e444;
                 } else {
-                    phi_702_ = _e354;
+                    phi_793_ = _e441;
                 }
-                let _e363 = phi_702_;
-                if (_e360 < _e354) {
-                    phi_707_ = _e360;
+                let _e450 = phi_793_;
+                if (_e447 < _e441) {
+                    phi_798_ = _e447;
                 } else {
-                    phi_707_ = _e354;
+                    phi_798_ = _e441;
                 }
-                let _e366 = phi_707_;
-                let _e367 = bitcast<u32>(_e363);
-                let _e369 = (_e330 + 1i);
-                let _e370 = (_e339 + 1i);
-                if (_e369 > 0i) {
-                    phi_716_ = _e369;
+                let _e453 = phi_798_;
+                let _e454 = bitcast<u32>(_e450);
+                let _e456 = (_e417 + 1i);
+                let _e457 = (_e426 + 1i);
+                if (_e456 > 0i) {
+                    phi_807_ = _e456;
                 } else {
-                    phi_716_ = 0i;
+                    phi_807_ = 0i;
                 }
-                let _e373 = phi_716_;
-                if (_e370 > 0i) {
-                    phi_721_ = _e370;
+                let _e460 = phi_807_;
+                if (_e457 > 0i) {
+                    phi_812_ = _e457;
                 } else {
-                    phi_721_ = 0i;
+                    phi_812_ = 0i;
                 }
-                let _e376 = phi_721_;
-                if (_e373 < _e354) {
-                    phi_726_ = _e373;
+                let _e463 = phi_812_;
+                if (_e460 < _e441) {
+                    phi_817_ = _e460;
                 } else {
-                    phi_726_ = _e354;
+                    phi_817_ = _e441;
                 }
-                let _e379 = phi_726_;
-                if (_e376 < _e354) {
-                    phi_731_ = _e376;
+                let _e466 = phi_817_;
+                if (_e463 < _e441) {
+                    phi_822_ = _e463;
                 } else {
-                    phi_731_ = _e354;
+                    phi_822_ = _e441;
                 }
-                let _e382 = phi_731_;
-                let _e383 = bitcast<u32>(_e379);
-                let _e385 = (bitcast<u32>(_e366) * _e352);
-                let _e386 = (bitcast<u32>(_e382) * _e352);
-                let _e387 = (_e385 + _e367);
-                let _e388 = (_e385 + _e383);
-                let _e389 = (_e386 + _e367);
-                let _e390 = (_e386 + _e383);
-                if (_e387 < _e44) {
+                let _e469 = phi_822_;
+                let _e470 = bitcast<u32>(_e466);
+                let _e472 = (bitcast<u32>(_e453) * _e439);
+                let _e473 = (bitcast<u32>(_e469) * _e439);
+                let _e474 = (_e472 + _e454);
+                let _e475 = (_e472 + _e470);
+                let _e476 = (_e473 + _e454);
+                let _e477 = (_e473 + _e470);
+                if (_e474 < _e45) {
                 } else {
                     return;
                 }
-                let _e394 = map.member[(0u + _e387)];
-                if (_e388 < _e44) {
+                let _e481 = map.member[(0u + _e474)];
+                if (_e475 < _e45) {
                 } else {
                     return;
                 }
-                let _e406 = map.member[(0u + _e388)];
-                if (_e389 < _e44) {
+                let _e493 = map.member[(0u + _e475)];
+                if (_e476 < _e45) {
                 } else {
                     return;
                 }
-                let _e422 = map.member[(0u + _e389)];
-                if (_e390 < _e44) {
+                let _e509 = map.member[(0u + _e476)];
+                if (_e477 < _e45) {
                 } else {
                     return;
                 }
-                let _e438 = map.member[(0u + _e390)];
-                let _e452 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e394.x * _e342) + (_e406.x * _e344)) + (_e422.x * _e346)) + (_e438.x * _e347)), ((((_e394.y * _e342) + (_e406.y * _e344)) + (_e422.y * _e346)) + (_e438.y * _e347)), ((((_e394.z * _e342) + (_e406.z * _e344)) + (_e422.z * _e346)) + (_e438.z * _e347)), ((((_e394.w * _e342) + (_e406.w * _e344)) + (_e422.w * _e346)) + (_e438.w * _e347))), _e233);
-                let _e454 = p.member.epsilon;
-                if (_e452 <= _e454) {
-                    phi_822_ = true;
+                let _e525 = map.member[(0u + _e477)];
+                let _e539 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e481.x * _e429) + (_e493.x * _e431)) + (_e509.x * _e433)) + (_e525.x * _e434)), ((((_e481.y * _e429) + (_e493.y * _e431)) + (_e509.y * _e433)) + (_e525.y * _e434)), ((((_e481.z * _e429) + (_e493.z * _e431)) + (_e509.z * _e433)) + (_e525.z * _e434)), ((((_e481.w * _e429) + (_e493.w * _e431)) + (_e509.w * _e433)) + (_e525.w * _e434))), _e347);
+                let _e541 = p.member.epsilon;
+                if (_e539 <= _e541) {
+                    phi_913_ = true;
                 } else {
-                    phi_822_ = (_e452 >= (1f - _e454));
+                    phi_913_ = (_e539 >= (1f - _e541));
                 }
-                let _e459 = phi_822_;
-                if ((bitcast<u32>(_e452) & 2147483647u) > 2139095040u) {
-                    phi_830_ = true;
+                let _e546 = phi_913_;
+                if ((bitcast<u32>(_e539) & 2147483647u) > 2139095040u) {
+                    phi_921_ = true;
                 } else {
-                    phi_830_ = !(_e459);
+                    phi_921_ = !(_e546);
                 }
-                let _e465 = phi_830_;
-                if (_e452 > 0.5f) {
-                    phi_835_ = 1f;
+                let _e552 = phi_921_;
+                if (_e539 > 0.5f) {
+                    phi_926_ = 1f;
                 } else {
-                    phi_835_ = 0f;
+                    phi_926_ = 0f;
                 }
-                let _e468 = phi_835_;
-                phi_838_ = evaluate_Verdict(_e468, _e465);
+                let _e555 = phi_926_;
+                phi_929_ = evaluate_Verdict(_e555, _e552);
             } else {
-                phi_838_ = evaluate_Verdict(1f, true);
+                phi_929_ = evaluate_Verdict(1f, true);
             }
-            let _e472 = phi_838_;
-            phi_839_ = _e472;
+            let _e559 = phi_929_;
+            phi_930_ = _e559;
         }
-        let _e474 = phi_839_;
-        visibility.member[_e54.first_primitive] = _e474.visibility;
-        phi_843_ = _e474.is_doubted;
-        phi_844_ = _e54.first_primitive;
+        let _e561 = phi_930_;
+        visibility.member[_e55.first_primitive] = _e561.visibility;
+        phi_934_ = _e561.is_doubted;
+        phi_935_ = _e55.first_primitive;
     } else {
-        phi_843_ = false;
-        phi_844_ = 0u;
+        phi_934_ = false;
+        phi_935_ = 0u;
     }
-    let _e479 = phi_843_;
-    let _e481 = phi_844_;
-    if _e479 {
-        let _e483 = atomicAdd((&shared_[0u]), 1u);
-        phi_850_ = _e483;
+    let _e566 = phi_934_;
+    let _e568 = phi_935_;
+    if _e566 {
+        let _e570 = atomicAdd((&shared_[0u]), 1u);
+        phi_941_ = _e570;
     } else {
-        phi_850_ = 0u;
+        phi_941_ = 0u;
     }
-    let _e485 = phi_850_;
+    let _e572 = phi_941_;
     workgroupBarrier();
-    if (_e39 == 0u) {
-        let _e489 = atomicLoad((&shared_[0u]));
-        let _e490 = atomicAdd((&list.member[3u]), _e489);
-        atomicStore((&shared_[1u]), _e490);
+    if (_e40 == 0u) {
+        let _e576 = atomicLoad((&shared_[0u]));
+        let _e577 = atomicAdd((&list.member[3u]), _e576);
+        atomicStore((&shared_[1u]), _e577);
     }
     workgroupBarrier();
-    if _e479 {
-        let _e493 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e493) + _e485)]), _e481);
+    if _e566 {
+        let _e580 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e580) + _e572)]), _e568);
     }
     return;
 }

@@ -82,37 +82,37 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> map: type_36;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
     var phi_145_: lt_bvh_traverse_Tree;
     var phi_146_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_153_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_144_ = false;
+            phi_145_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_146_ = false;
         } else {
-            phi_143_ = lt_bvh_traverse_Tree();
-            phi_144_ = true;
+            phi_145_ = lt_bvh_traverse_Tree();
+            phi_146_ = true;
         }
-        let _e50 = phi_143_;
-        let _e52 = phi_144_;
-        phi_145_ = _e50;
-        phi_146_ = _e52;
+        let _e51 = phi_145_;
+        let _e53 = phi_146_;
+        phi_147_ = _e51;
+        phi_148_ = _e53;
     } else {
-        phi_145_ = lt_bvh_traverse_Tree();
-        phi_146_ = true;
+        phi_147_ = lt_bvh_traverse_Tree();
+        phi_148_ = true;
     }
-    let _e54 = phi_145_;
-    let _e56 = phi_146_;
-    if _e56 {
-        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e55 = phi_147_;
+    let _e57 = phi_148_;
+    if _e57 {
+        phi_153_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_151_ = _e54;
+        phi_153_ = _e55;
     }
-    let _e61 = phi_151_;
-    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
+    let _e62 = phi_153_;
+    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -120,475 +120,495 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_176_: f32;
-    var phi_177_: f32;
     var phi_178_: f32;
-    var phi_196_: bool;
-    var phi_200_: f32;
-    var phi_212_: bool;
-    var phi_219_: f32;
-    var phi_234_: f32;
-    var phi_235_: f32;
+    var phi_179_: f32;
+    var phi_180_: f32;
+    var phi_198_: bool;
+    var phi_202_: f32;
+    var phi_214_: bool;
+    var phi_221_: f32;
     var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_238_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_178_ = param_6;
+        phi_180_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_177_ = 0f;
+            phi_179_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_176_ = 1f;
+                phi_178_ = 1f;
             } else {
-                phi_176_ = param_6;
+                phi_178_ = param_6;
             }
-            let _e46 = phi_176_;
-            phi_177_ = _e46;
+            let _e47 = phi_178_;
+            phi_179_ = _e47;
         }
-        let _e48 = phi_177_;
-        phi_178_ = _e48;
+        let _e49 = phi_179_;
+        phi_180_ = _e49;
     }
-    let _e50 = phi_178_;
-    let _e53 = (*param_4);
-    let _e57 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
-    if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
-        phi_196_ = true;
+    let _e51 = phi_180_;
+    let _e54 = (*param_4);
+    let _e58 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e54) & 2147483647u) > 2139095040u) {
+        phi_198_ = true;
     } else {
-        let _e61 = (_e53 > _e57);
-        if _e61 {
+        let _e62 = (_e54 > _e58);
+        if _e62 {
         }
-        phi_196_ = _e61;
+        phi_198_ = _e62;
     }
-    let _e63 = phi_196_;
-    if _e63 {
-        phi_200_ = _e53;
+    let _e64 = phi_198_;
+    if _e64 {
+        phi_202_ = _e54;
     } else {
-        phi_200_ = _e57;
+        phi_202_ = _e58;
     }
-    let _e65 = phi_200_;
-    let _e66 = (_e50 - param_5.x);
-    if (_e66 <= 0f) {
-        let _e70 = ((bitcast<u32>(_e65) & 2147483647u) > 2139095040u);
-        if _e70 {
+    let _e66 = phi_202_;
+    let _e67 = (_e51 - param_5.x);
+    if (_e67 <= 0f) {
+        let _e71 = ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u);
+        if _e71 {
         }
-        phi_212_ = _e70;
+        phi_214_ = _e71;
     } else {
-        phi_212_ = true;
+        phi_214_ = true;
     }
-    let _e72 = phi_212_;
-    if _e72 {
-        phi_219_ = (_e65 / (_e65 + (_e66 * _e66)));
+    let _e73 = phi_214_;
+    if _e73 {
+        phi_221_ = (_e66 / (_e66 + (_e67 * _e67)));
     } else {
-        phi_219_ = 1f;
+        phi_221_ = 1f;
     }
-    let _e77 = phi_219_;
-    if ((bitcast<u32>(_e77) & 2147483647u) > 2139095040u) {
-        phi_236_ = _e77;
+    let _e78 = phi_221_;
+    if ((bitcast<u32>(_e78) & 2147483647u) > 2139095040u) {
+        phi_238_ = _e78;
     } else {
-        if (_e77 < 0f) {
-            phi_235_ = 0f;
+        if (_e78 < 0f) {
+            phi_237_ = 0f;
         } else {
-            if (_e77 > 1f) {
-                phi_234_ = 1f;
+            if (_e78 > 1f) {
+                phi_236_ = 1f;
             } else {
-                phi_234_ = _e77;
+                phi_236_ = _e78;
             }
-            let _e84 = phi_234_;
-            phi_235_ = _e84;
+            let _e85 = phi_236_;
+            phi_237_ = _e85;
         }
-        let _e86 = phi_235_;
-        phi_236_ = _e86;
+        let _e87 = phi_237_;
+        phi_238_ = _e87;
     }
-    let _e88 = phi_236_;
-    return _e88;
+    let _e89 = phi_238_;
+    return _e89;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_290_: bool;
-    var phi_291_: bool;
     var phi_292_: bool;
     var phi_293_: bool;
-    var phi_297_: bool;
-    var phi_341_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_345_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_422_: bool;
-    var phi_431_: bool;
-    var phi_440_: bool;
-    var phi_441_: bool;
+    var phi_294_: bool;
+    var phi_295_: bool;
+    var phi_299_: bool;
+    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_347_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_424_: bool;
+    var phi_433_: bool;
     var phi_442_: bool;
     var phi_443_: bool;
     var phi_444_: bool;
     var phi_445_: bool;
     var phi_446_: bool;
-    var phi_450_: bool;
-    var phi_486_: f32;
-    var phi_491_: f32;
-    var phi_492_: bool;
-    var phi_493_: f32;
-    var phi_494_: bool;
-    var phi_498_: f32;
-    var phi_518_: f32;
-    var phi_523_: f32;
-    var phi_524_: bool;
-    var phi_525_: f32;
-    var phi_526_: bool;
-    var phi_530_: f32;
-    var phi_576_: i32;
-    var phi_581_: i32;
-    var phi_586_: i32;
-    var phi_591_: i32;
-    var phi_600_: i32;
-    var phi_605_: i32;
-    var phi_610_: i32;
-    var phi_615_: i32;
-    var phi_706_: bool;
-    var phi_714_: bool;
-    var phi_719_: f32;
-    var phi_722_: evaluate_Verdict;
-    var phi_723_: evaluate_Verdict;
-    var phi_727_: bool;
-    var phi_728_: u32;
-    var phi_734_: u32;
+    var phi_447_: bool;
+    var phi_448_: bool;
+    var phi_452_: bool;
+    var phi_546_: f32;
+    var phi_549_: f32;
+    var phi_578_: f32;
+    var phi_583_: f32;
+    var phi_584_: bool;
+    var phi_585_: f32;
+    var phi_586_: bool;
+    var phi_590_: f32;
+    var phi_610_: f32;
+    var phi_615_: f32;
+    var phi_616_: bool;
+    var phi_617_: f32;
+    var phi_618_: bool;
+    var phi_622_: f32;
+    var phi_668_: i32;
+    var phi_673_: i32;
+    var phi_678_: i32;
+    var phi_683_: i32;
+    var phi_692_: i32;
+    var phi_697_: i32;
+    var phi_702_: i32;
+    var phi_707_: i32;
+    var phi_798_: bool;
+    var phi_806_: bool;
+    var phi_811_: f32;
+    var phi_814_: evaluate_Verdict;
+    var phi_815_: evaluate_Verdict;
+    var phi_819_: bool;
+    var phi_820_: u32;
+    var phi_826_: u32;
 
-    let _e38 = id_1;
-    let _e39 = local_2;
-    let _e44 = arrayLength((&map.member));
-    if (_e39 == 0u) {
+    let _e39 = id_1;
+    let _e40 = local_2;
+    let _e45 = arrayLength((&map.member));
+    if (_e40 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e51 = p.member.size[0u];
-    let _e53 = p.member.size[1u];
-    let _e54 = lt_shaders_entry_pixel_index(_e38, _e51, _e53);
-    if (bitcast<i32>(_e54.root) != 0i) {
-        let _e61 = p.member.light;
-        let _e64 = samples.member[_e54.first_primitive].normal[0u];
-        let _e66 = global[0u];
-        if (_e64 == _e66) {
-            let _e69 = samples.member[_e54.first_primitive].normal[1u];
-            let _e71 = global[1u];
-            if (_e69 == _e71) {
-                let _e74 = samples.member[_e54.first_primitive].normal[2u];
-                let _e76 = global[2u];
-                phi_290_ = (_e74 == _e76);
-                phi_291_ = false;
+    let _e52 = p.member.size[0u];
+    let _e54 = p.member.size[1u];
+    let _e55 = lt_shaders_entry_pixel_index(_e39, _e52, _e54);
+    if (bitcast<i32>(_e55.root) != 0i) {
+        let _e62 = p.member.light;
+        let _e65 = samples.member[_e55.first_primitive].normal[0u];
+        let _e67 = global[0u];
+        if (_e65 == _e67) {
+            let _e70 = samples.member[_e55.first_primitive].normal[1u];
+            let _e72 = global[1u];
+            if (_e70 == _e72) {
+                let _e75 = samples.member[_e55.first_primitive].normal[2u];
+                let _e77 = global[2u];
+                phi_292_ = (_e75 == _e77);
+                phi_293_ = false;
             } else {
-                phi_290_ = bool();
-                phi_291_ = true;
+                phi_292_ = bool();
+                phi_293_ = true;
             }
-            let _e79 = phi_290_;
-            let _e81 = phi_291_;
-            phi_292_ = _e79;
-            phi_293_ = _e81;
+            let _e80 = phi_292_;
+            let _e82 = phi_293_;
+            phi_294_ = _e80;
+            phi_295_ = _e82;
         } else {
-            phi_292_ = bool();
-            phi_293_ = true;
+            phi_294_ = bool();
+            phi_295_ = true;
         }
-        let _e83 = phi_292_;
-        let _e85 = phi_293_;
-        if _e85 {
-            phi_297_ = false;
+        let _e84 = phi_294_;
+        let _e86 = phi_295_;
+        if _e86 {
+            phi_299_ = false;
         } else {
-            phi_297_ = _e83;
+            phi_299_ = _e84;
         }
-        let _e87 = phi_297_;
-        if !(_e87) {
-            let _e90 = samples.member[_e54.first_primitive].normal;
-            let _e92 = samples.member[_e54.first_primitive].position;
-            if ((((_e90.x * (_e61.x - (_e92.x * _e61.w))) + (_e90.y * (_e61.y - (_e92.y * _e61.w)))) + (_e90.z * (_e61.z - (_e92.z * _e61.w)))) > 0f) {
-                let _e116 = samples.member[_e54.first_primitive].flags;
-                let _e124 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e130 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e124.unnamed.visibility, false), _e124.unnamed_1);
-                phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, ((_e116 & 1u) == 0u));
+        let _e88 = phi_299_;
+        if !(_e88) {
+            let _e91 = samples.member[_e55.first_primitive].normal;
+            let _e93 = samples.member[_e55.first_primitive].position;
+            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
+                let _e117 = samples.member[_e55.first_primitive].flags;
+                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
+                phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
             } else {
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
-                phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, true);
+                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
+                phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
             }
-            let _e150 = phi_341_;
-            phi_345_ = _e150;
+            let _e151 = phi_343_;
+            phi_347_ = _e151;
         } else {
-            let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
-            phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
+            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
+            phi_347_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
         }
-        let _e167 = phi_345_;
-        if _e167.unnamed_1 {
-            phi_723_ = evaluate_Verdict(_e167.unnamed.visibility, _e167.unnamed.is_doubted);
+        let _e168 = phi_347_;
+        if _e168.unnamed_1 {
+            phi_815_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
         } else {
-            let _e175 = samples.member[_e54.first_primitive].position;
-            let _e181 = p.member.projection.row_w;
-            let _e192 = ((((_e181.x * _e175.x) + (_e181.y * _e175.y)) + (_e181.z * _e175.z)) + (_e181.w * 1f));
-            let _e194 = p.member.projection.row_x;
-            let _e206 = (((((_e194.x * _e175.x) + (_e194.y * _e175.y)) + (_e194.z * _e175.z)) + (_e194.w * 1f)) / _e192);
-            let _e208 = p.member.projection.row_y;
-            let _e220 = (((((_e208.x * _e175.x) + (_e208.y * _e175.y)) + (_e208.z * _e175.z)) + (_e208.w * 1f)) / _e192);
-            let _e222 = p.member.projection.row_z;
-            let _e233 = ((((_e222.x * _e175.x) + (_e222.y * _e175.y)) + (_e222.z * _e175.z)) + (_e222.w * 1f));
-            if (_e192 > 0f) {
-                if (_e206 >= 0f) {
-                    phi_422_ = (_e206 <= 1f);
+            let _e176 = samples.member[_e55.first_primitive].position;
+            let _e182 = p.member.projection.row_w;
+            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
+            let _e195 = p.member.projection.row_x;
+            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
+            let _e209 = p.member.projection.row_y;
+            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
+            let _e223 = p.member.projection.row_z;
+            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
+            if (_e193 > 0f) {
+                if (_e207 >= 0f) {
+                    phi_424_ = (_e207 <= 1f);
                 } else {
-                    phi_422_ = false;
+                    phi_424_ = false;
                 }
-                let _e238 = phi_422_;
-                if _e238 {
-                    if (_e220 >= 0f) {
-                        phi_431_ = (_e220 <= 1f);
+                let _e239 = phi_424_;
+                if _e239 {
+                    if (_e221 >= 0f) {
+                        phi_433_ = (_e221 <= 1f);
                     } else {
-                        phi_431_ = false;
+                        phi_433_ = false;
                     }
-                    let _e242 = phi_431_;
-                    if _e242 {
-                        if (_e233 >= 0f) {
-                            phi_440_ = (_e233 <= 1f);
+                    let _e243 = phi_433_;
+                    if _e243 {
+                        if (_e234 >= 0f) {
+                            phi_442_ = (_e234 <= 1f);
                         } else {
-                            phi_440_ = false;
+                            phi_442_ = false;
                         }
-                        let _e246 = phi_440_;
-                        phi_441_ = _e246;
-                        phi_442_ = false;
+                        let _e247 = phi_442_;
+                        phi_443_ = _e247;
+                        phi_444_ = false;
                     } else {
-                        phi_441_ = bool();
-                        phi_442_ = true;
+                        phi_443_ = bool();
+                        phi_444_ = true;
                     }
-                    let _e248 = phi_441_;
-                    let _e250 = phi_442_;
-                    phi_443_ = _e248;
-                    phi_444_ = _e250;
+                    let _e249 = phi_443_;
+                    let _e251 = phi_444_;
+                    phi_445_ = _e249;
+                    phi_446_ = _e251;
                 } else {
-                    phi_443_ = bool();
-                    phi_444_ = true;
+                    phi_445_ = bool();
+                    phi_446_ = true;
                 }
-                let _e252 = phi_443_;
-                let _e254 = phi_444_;
-                phi_445_ = _e252;
-                phi_446_ = _e254;
+                let _e253 = phi_445_;
+                let _e255 = phi_446_;
+                phi_447_ = _e253;
+                phi_448_ = _e255;
             } else {
-                phi_445_ = bool();
-                phi_446_ = true;
+                phi_447_ = bool();
+                phi_448_ = true;
             }
-            let _e256 = phi_445_;
-            let _e258 = phi_446_;
-            if _e258 {
-                phi_450_ = false;
+            let _e257 = phi_447_;
+            let _e259 = phi_448_;
+            if _e259 {
+                phi_452_ = false;
             } else {
-                phi_450_ = _e256;
+                phi_452_ = _e257;
             }
-            let _e260 = phi_450_;
-            if _e260 {
-                let _e262 = p.member.map_size;
-                let _e263 = f32(_e262);
-                let _e266 = ((_e206 * _e263) - 0.5f);
-                let _e267 = ((_e220 * _e263) - 0.5f);
-                if (_e266 > -8388608f) {
-                    let _e279 = f32(select(0i, select(select(i32(_e266), i32(-2147483648), (_e266 < bitcast<f32>(3472883712u))), 2147483647i, (_e266 > bitcast<f32>(1325400063u))), (_e266 == _e266)));
-                    if (_e279 > _e266) {
-                        phi_486_ = 1f;
+            let _e261 = phi_452_;
+            if _e261 {
+                if (0f > 0f) {
+                    let _e264 = samples.member[_e55.first_primitive].normal;
+                    let _e266 = p.member.map_size;
+                    let _e269 = p.member.projection.row_x;
+                    let _e291 = p.member.projection.row_y;
+                    let _e313 = p.member.projection.row_z;
+                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
+                    if (_e340 < 0.002f) {
+                        phi_546_ = _e340;
                     } else {
-                        phi_486_ = 0f;
+                        phi_546_ = 0.002f;
                     }
-                    let _e282 = phi_486_;
-                    if (_e266 < 8388608f) {
-                        phi_491_ = (_e279 - _e282);
-                        phi_492_ = false;
+                    let _e343 = phi_546_;
+                    phi_549_ = (_e234 - (0f * _e343));
+                } else {
+                    phi_549_ = _e234;
+                }
+                let _e347 = phi_549_;
+                let _e349 = p.member.map_size;
+                let _e350 = f32(_e349);
+                let _e353 = ((_e207 * _e350) - 0.5f);
+                let _e354 = ((_e221 * _e350) - 0.5f);
+                if (_e353 > -8388608f) {
+                    let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
+                    if (_e366 > _e353) {
+                        phi_578_ = 1f;
                     } else {
-                        phi_491_ = f32();
-                        phi_492_ = true;
+                        phi_578_ = 0f;
                     }
-                    let _e285 = phi_491_;
-                    let _e287 = phi_492_;
-                    phi_493_ = _e285;
-                    phi_494_ = _e287;
-                } else {
-                    phi_493_ = f32();
-                    phi_494_ = true;
-                }
-                let _e289 = phi_493_;
-                let _e291 = phi_494_;
-                if _e291 {
-                    phi_498_ = _e266;
-                } else {
-                    phi_498_ = _e289;
-                }
-                let _e293 = phi_498_;
-                if (_e267 > -8388608f) {
-                    let _e305 = f32(select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)));
-                    if (_e305 > _e267) {
-                        phi_518_ = 1f;
+                    let _e369 = phi_578_;
+                    if (_e353 < 8388608f) {
+                        phi_583_ = (_e366 - _e369);
+                        phi_584_ = false;
                     } else {
-                        phi_518_ = 0f;
+                        phi_583_ = f32();
+                        phi_584_ = true;
                     }
-                    let _e308 = phi_518_;
-                    if (_e267 < 8388608f) {
-                        phi_523_ = (_e305 - _e308);
-                        phi_524_ = false;
+                    let _e372 = phi_583_;
+                    let _e374 = phi_584_;
+                    phi_585_ = _e372;
+                    phi_586_ = _e374;
+                } else {
+                    phi_585_ = f32();
+                    phi_586_ = true;
+                }
+                let _e376 = phi_585_;
+                let _e378 = phi_586_;
+                if _e378 {
+                    phi_590_ = _e353;
+                } else {
+                    phi_590_ = _e376;
+                }
+                let _e380 = phi_590_;
+                if (_e354 > -8388608f) {
+                    let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
+                    if (_e392 > _e354) {
+                        phi_610_ = 1f;
                     } else {
-                        phi_523_ = f32();
-                        phi_524_ = true;
+                        phi_610_ = 0f;
                     }
-                    let _e311 = phi_523_;
-                    let _e313 = phi_524_;
-                    phi_525_ = _e311;
-                    phi_526_ = _e313;
+                    let _e395 = phi_610_;
+                    if (_e354 < 8388608f) {
+                        phi_615_ = (_e392 - _e395);
+                        phi_616_ = false;
+                    } else {
+                        phi_615_ = f32();
+                        phi_616_ = true;
+                    }
+                    let _e398 = phi_615_;
+                    let _e400 = phi_616_;
+                    phi_617_ = _e398;
+                    phi_618_ = _e400;
                 } else {
-                    phi_525_ = f32();
-                    phi_526_ = true;
+                    phi_617_ = f32();
+                    phi_618_ = true;
                 }
-                let _e315 = phi_525_;
-                let _e317 = phi_526_;
-                if _e317 {
-                    phi_530_ = _e267;
+                let _e402 = phi_617_;
+                let _e404 = phi_618_;
+                if _e404 {
+                    phi_622_ = _e354;
                 } else {
-                    phi_530_ = _e315;
+                    phi_622_ = _e402;
                 }
-                let _e319 = phi_530_;
-                let _e320 = (_e266 - _e293);
-                let _e321 = (_e267 - _e319);
-                let _e330 = select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < bitcast<f32>(3472883712u))), 2147483647i, (_e293 > bitcast<f32>(1325400063u))), (_e293 == _e293));
-                let _e339 = select(0i, select(select(i32(_e319), i32(-2147483648), (_e319 < bitcast<f32>(3472883712u))), 2147483647i, (_e319 > bitcast<f32>(1325400063u))), (_e319 == _e319));
-                let _e342 = ((1f - _e320) * (1f - _e321));
-                let _e344 = (_e320 * (1f - _e321));
-                let _e346 = ((1f - _e320) * _e321);
-                let _e347 = (_e320 * _e321);
-                let _e349 = p.member.test;
-                let _e350 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e349);
-                let _e352 = p.member.map_size;
-                local_1 = _e350;
-                let _e354 = (bitcast<i32>(_e352) - 1i);
-                if (_e330 > 0i) {
-                    phi_576_ = _e330;
+                let _e406 = phi_622_;
+                let _e407 = (_e353 - _e380);
+                let _e408 = (_e354 - _e406);
+                let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
+                let _e426 = select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406));
+                let _e429 = ((1f - _e407) * (1f - _e408));
+                let _e431 = (_e407 * (1f - _e408));
+                let _e433 = ((1f - _e407) * _e408);
+                let _e434 = (_e407 * _e408);
+                let _e436 = p.member.test;
+                let _e437 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e436);
+                let _e439 = p.member.map_size;
+                local_1 = _e437;
+                let _e441 = (bitcast<i32>(_e439) - 1i);
+                if (_e417 > 0i) {
+                    phi_668_ = _e417;
                 } else {
-                    phi_576_ = 0i;
+                    phi_668_ = 0i;
                 }
-                let _e357 = phi_576_;
-                if (_e339 > 0i) {
-                    phi_581_ = _e339;
+                let _e444 = phi_668_;
+                if (_e426 > 0i) {
+                    phi_673_ = _e426;
                 } else {
-                    phi_581_ = 0i;
+                    phi_673_ = 0i;
                 }
-                let _e360 = phi_581_;
-                if (_e357 < _e354) {
-                    phi_586_ = _e357;
+                let _e447 = phi_673_;
+                if (_e444 < _e441) {
+                    phi_678_ = _e444;
                 } else {
-                    phi_586_ = _e354;
+                    phi_678_ = _e441;
                 }
-                let _e363 = phi_586_;
-                if (_e360 < _e354) {
-                    phi_591_ = _e360;
+                let _e450 = phi_678_;
+                if (_e447 < _e441) {
+                    phi_683_ = _e447;
                 } else {
-                    phi_591_ = _e354;
+                    phi_683_ = _e441;
                 }
-                let _e366 = phi_591_;
-                let _e367 = bitcast<u32>(_e363);
-                let _e369 = (_e330 + 1i);
-                let _e370 = (_e339 + 1i);
-                if (_e369 > 0i) {
-                    phi_600_ = _e369;
+                let _e453 = phi_683_;
+                let _e454 = bitcast<u32>(_e450);
+                let _e456 = (_e417 + 1i);
+                let _e457 = (_e426 + 1i);
+                if (_e456 > 0i) {
+                    phi_692_ = _e456;
                 } else {
-                    phi_600_ = 0i;
+                    phi_692_ = 0i;
                 }
-                let _e373 = phi_600_;
-                if (_e370 > 0i) {
-                    phi_605_ = _e370;
+                let _e460 = phi_692_;
+                if (_e457 > 0i) {
+                    phi_697_ = _e457;
                 } else {
-                    phi_605_ = 0i;
+                    phi_697_ = 0i;
                 }
-                let _e376 = phi_605_;
-                if (_e373 < _e354) {
-                    phi_610_ = _e373;
+                let _e463 = phi_697_;
+                if (_e460 < _e441) {
+                    phi_702_ = _e460;
                 } else {
-                    phi_610_ = _e354;
+                    phi_702_ = _e441;
                 }
-                let _e379 = phi_610_;
-                if (_e376 < _e354) {
-                    phi_615_ = _e376;
+                let _e466 = phi_702_;
+                if (_e463 < _e441) {
+                    phi_707_ = _e463;
                 } else {
-                    phi_615_ = _e354;
+                    phi_707_ = _e441;
                 }
-                let _e382 = phi_615_;
-                let _e383 = bitcast<u32>(_e379);
-                let _e385 = (bitcast<u32>(_e366) * _e352);
-                let _e386 = (bitcast<u32>(_e382) * _e352);
-                let _e387 = (_e385 + _e367);
-                let _e388 = (_e385 + _e383);
-                let _e389 = (_e386 + _e367);
-                let _e390 = (_e386 + _e383);
-                if (_e387 < _e44) {
+                let _e469 = phi_707_;
+                let _e470 = bitcast<u32>(_e466);
+                let _e472 = (bitcast<u32>(_e453) * _e439);
+                let _e473 = (bitcast<u32>(_e469) * _e439);
+                let _e474 = (_e472 + _e454);
+                let _e475 = (_e472 + _e470);
+                let _e476 = (_e473 + _e454);
+                let _e477 = (_e473 + _e470);
+                if (_e474 < _e45) {
                 } else {
                     return;
                 }
-                let _e394 = map.member[(0u + _e387)];
-                if (_e388 < _e44) {
+                let _e481 = map.member[(0u + _e474)];
+                if (_e475 < _e45) {
                 } else {
                     return;
                 }
-                let _e406 = map.member[(0u + _e388)];
-                if (_e389 < _e44) {
+                let _e493 = map.member[(0u + _e475)];
+                if (_e476 < _e45) {
                 } else {
                     return;
                 }
-                let _e422 = map.member[(0u + _e389)];
-                if (_e390 < _e44) {
+                let _e509 = map.member[(0u + _e476)];
+                if (_e477 < _e45) {
                 } else {
                     return;
                 }
-                let _e438 = map.member[(0u + _e390)];
-                let _e452 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e394.x * _e342) + (_e406.x * _e344)) + (_e422.x * _e346)) + (_e438.x * _e347)), ((((_e394.y * _e342) + (_e406.y * _e344)) + (_e422.y * _e346)) + (_e438.y * _e347)), ((((_e394.z * _e342) + (_e406.z * _e344)) + (_e422.z * _e346)) + (_e438.z * _e347)), ((((_e394.w * _e342) + (_e406.w * _e344)) + (_e422.w * _e346)) + (_e438.w * _e347))), _e233);
-                let _e454 = p.member.epsilon;
-                if (_e452 <= _e454) {
-                    phi_706_ = true;
+                let _e525 = map.member[(0u + _e477)];
+                let _e539 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e481.x * _e429) + (_e493.x * _e431)) + (_e509.x * _e433)) + (_e525.x * _e434)), ((((_e481.y * _e429) + (_e493.y * _e431)) + (_e509.y * _e433)) + (_e525.y * _e434)), ((((_e481.z * _e429) + (_e493.z * _e431)) + (_e509.z * _e433)) + (_e525.z * _e434)), ((((_e481.w * _e429) + (_e493.w * _e431)) + (_e509.w * _e433)) + (_e525.w * _e434))), _e347);
+                let _e541 = p.member.epsilon;
+                if (_e539 <= _e541) {
+                    phi_798_ = true;
                 } else {
-                    phi_706_ = (_e452 >= (1f - _e454));
+                    phi_798_ = (_e539 >= (1f - _e541));
                 }
-                let _e459 = phi_706_;
-                if ((bitcast<u32>(_e452) & 2147483647u) > 2139095040u) {
-                    phi_714_ = true;
+                let _e546 = phi_798_;
+                if ((bitcast<u32>(_e539) & 2147483647u) > 2139095040u) {
+                    phi_806_ = true;
                 } else {
-                    phi_714_ = !(_e459);
+                    phi_806_ = !(_e546);
                 }
-                let _e465 = phi_714_;
-                if (_e452 > 0.5f) {
-                    phi_719_ = 1f;
+                let _e552 = phi_806_;
+                if (_e539 > 0.5f) {
+                    phi_811_ = 1f;
                 } else {
-                    phi_719_ = 0f;
+                    phi_811_ = 0f;
                 }
-                let _e468 = phi_719_;
-                phi_722_ = evaluate_Verdict(_e468, _e465);
+                let _e555 = phi_811_;
+                phi_814_ = evaluate_Verdict(_e555, _e552);
             } else {
-                phi_722_ = evaluate_Verdict(1f, true);
+                phi_814_ = evaluate_Verdict(1f, true);
             }
-            let _e472 = phi_722_;
-            phi_723_ = _e472;
+            let _e559 = phi_814_;
+            phi_815_ = _e559;
         }
-        let _e474 = phi_723_;
-        visibility.member[_e54.first_primitive] = _e474.visibility;
-        phi_727_ = _e474.is_doubted;
-        phi_728_ = _e54.first_primitive;
+        let _e561 = phi_815_;
+        visibility.member[_e55.first_primitive] = _e561.visibility;
+        phi_819_ = _e561.is_doubted;
+        phi_820_ = _e55.first_primitive;
     } else {
-        phi_727_ = false;
-        phi_728_ = 0u;
+        phi_819_ = false;
+        phi_820_ = 0u;
     }
-    let _e479 = phi_727_;
-    let _e481 = phi_728_;
-    if _e479 {
-        let _e483 = atomicAdd((&shared_[0u]), 1u);
-        phi_734_ = _e483;
+    let _e566 = phi_819_;
+    let _e568 = phi_820_;
+    if _e566 {
+        let _e570 = atomicAdd((&shared_[0u]), 1u);
+        phi_826_ = _e570;
     } else {
-        phi_734_ = 0u;
+        phi_826_ = 0u;
     }
-    let _e485 = phi_734_;
+    let _e572 = phi_826_;
     workgroupBarrier();
-    if (_e39 == 0u) {
-        let _e489 = atomicLoad((&shared_[0u]));
-        let _e490 = atomicAdd((&list.member[3u]), _e489);
-        atomicStore((&shared_[1u]), _e490);
+    if (_e40 == 0u) {
+        let _e576 = atomicLoad((&shared_[0u]));
+        let _e577 = atomicAdd((&list.member[3u]), _e576);
+        atomicStore((&shared_[1u]), _e577);
     }
     workgroupBarrier();
-    if _e479 {
-        let _e493 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e493) + _e485)]), _e481);
+    if _e566 {
+        let _e580 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e580) + _e572)]), _e568);
     }
     return;
 }

@@ -40,7 +40,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_28 {
+struct type_29 {
     member: abi_ShadowParams,
 }
 
@@ -54,9 +54,11 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct lt_bvh_slab_Span {
-    near: f32,
-    far: f32,
+struct hankel_HankelFactors {
+    moments: vec4<f32>,
+    d22_: f32,
+    l32_d22_: f32,
+    d33_d22_: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -64,1209 +66,1193 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_28;
+var<uniform> p: type_29;
 @group(0) @binding(2) 
 var<storage> map: type_21;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_131_: lt_bvh_traverse_Tree;
-    var phi_132_: bool;
-    var phi_133_: lt_bvh_traverse_Tree;
-    var phi_134_: bool;
     var phi_139_: lt_bvh_traverse_Tree;
+    var phi_140_: bool;
+    var phi_141_: lt_bvh_traverse_Tree;
+    var phi_142_: bool;
+    var phi_147_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_131_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_132_ = false;
+            phi_139_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_140_ = false;
         } else {
-            phi_131_ = lt_bvh_traverse_Tree();
-            phi_132_ = true;
+            phi_139_ = lt_bvh_traverse_Tree();
+            phi_140_ = true;
         }
-        let _e53 = phi_131_;
-        let _e55 = phi_132_;
-        phi_133_ = _e53;
-        phi_134_ = _e55;
+        let _e49 = phi_139_;
+        let _e51 = phi_140_;
+        phi_141_ = _e49;
+        phi_142_ = _e51;
     } else {
-        phi_133_ = lt_bvh_traverse_Tree();
-        phi_134_ = true;
+        phi_141_ = lt_bvh_traverse_Tree();
+        phi_142_ = true;
     }
-    let _e57 = phi_133_;
-    let _e59 = phi_134_;
-    if _e59 {
-        phi_139_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e53 = phi_141_;
+    let _e55 = phi_142_;
+    if _e55 {
+        phi_147_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_139_ = _e57;
+        phi_147_ = _e53;
     }
-    let _e64 = phi_139_;
-    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
+    let _e60 = phi_147_;
+    return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: vec4<f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_599_: f32;
-    var phi_600_: f32;
-    var phi_601_: f32;
-    var phi_618_: f32;
-    var phi_619_: f32;
-    var phi_620_: f32;
-    var phi_636_: f32;
-    var phi_637_: f32;
-    var phi_638_: f32;
-    var phi_654_: f32;
-    var phi_655_: f32;
-    var phi_656_: f32;
-    var phi_672_: f32;
-    var phi_673_: f32;
-    var phi_674_: f32;
-    var phi_689_: bool;
-    var phi_693_: f32;
-    var phi_704_: bool;
-    var phi_708_: f32;
-    var phi_719_: bool;
-    var phi_723_: f32;
-    var phi_734_: bool;
-    var phi_738_: f32;
-    var phi_749_: bool;
-    var phi_753_: f32;
-    var phi_764_: bool;
-    var phi_768_: f32;
-    var phi_791_: bool;
-    var phi_795_: f32;
-    var phi_806_: bool;
-    var phi_810_: f32;
-    var phi_919_: f32;
-    var phi_920_: f32;
-    var phi_921_: f32;
-    var phi_938_: f32;
-    var phi_939_: f32;
-    var phi_940_: f32;
+fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: f32) -> vec4<f32> {
+    var phi_170_: f32;
+    var phi_171_: f32;
+    var phi_172_: f32;
+
+    if ((bitcast<u32>(param_4) & 2147483647u) > 2139095040u) {
+        phi_172_ = param_4;
+    } else {
+        if (param_4 < 0f) {
+            phi_171_ = 0f;
+        } else {
+            if (param_4 > 1f) {
+                phi_170_ = 1f;
+            } else {
+                phi_170_ = param_4;
+            }
+            let _e43 = phi_170_;
+            phi_171_ = _e43;
+        }
+        let _e45 = phi_171_;
+        phi_172_ = _e45;
+    }
+    let _e47 = phi_172_;
+    let _e48 = (_e47 * _e47);
+    return vec4<f32>(_e47, _e48, (_e48 * _e47), (_e48 * _e48));
+}
+
+fn lt_math_hausdorff_cubic_mass(param_5: vec4<f32>, param_6: f32, param_7: f32, param_8: f32, param_9: f32) -> f32 {
+    return ((((param_5.z - (((param_7 + param_8) + param_9) * param_5.y)) + ((((param_7 * param_8) + (param_7 * param_9)) + (param_8 * param_9)) * param_5.x)) - ((param_7 * param_8) * param_9)) / (((param_6 - param_7) * (param_6 - param_8)) * (param_6 - param_9)));
+}
+
+fn lt_math_hausdorff_endpoint_upper_bound(param_10: ptr<function, hankel_HankelFactors>, param_11: f32) -> f32 {
+    var phi_1514_: f32;
+    var phi_1515_: f32;
+    var phi_1516_: f32;
+    var phi_1543_: f32;
+    var phi_1544_: f32;
+    var phi_1545_: f32;
+    var phi_1546_: f32;
+    var phi_1547_: bool;
+    var phi_1548_: f32;
+    var phi_1549_: bool;
+    var phi_1577_: f32;
+    var phi_1578_: f32;
+    var phi_1579_: f32;
+    var phi_1580_: f32;
+    var phi_1581_: bool;
+    var phi_1582_: f32;
+    var phi_1583_: bool;
+    var phi_1590_: f32;
+    var phi_1591_: f32;
+    var phi_1592_: f32;
+    var phi_1593_: f32;
+
+    let _e39 = (*param_10).moments;
+    if (param_11 < 0.0001f) {
+        phi_1593_ = 1f;
+    } else {
+        let _e48 = ((_e39.z - ((1f + param_11) * _e39.y)) + (param_11 * _e39.x));
+        let _e57 = (((_e39.w - ((1f + param_11) * _e39.z)) + (param_11 * _e39.y)) / _e48);
+        if (abs(_e48) <= 0.00000047683716f) {
+            let _e71 = (1f - (((_e39.y - (_e39.x * (param_11 + 1f))) + (param_11 * 1f)) / ((0f - param_11) * (0f - 1f))));
+            if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
+                phi_1516_ = _e71;
+            } else {
+                if (_e71 < 0f) {
+                    phi_1515_ = 0f;
+                } else {
+                    if (_e71 > 1f) {
+                        phi_1514_ = 1f;
+                    } else {
+                        phi_1514_ = _e71;
+                    }
+                    let _e78 = phi_1514_;
+                    phi_1515_ = _e78;
+                }
+                let _e80 = phi_1515_;
+                phi_1516_ = _e80;
+            }
+            let _e82 = phi_1516_;
+            phi_1592_ = _e82;
+        } else {
+            if (_e57 > 0f) {
+                if (_e57 < param_11) {
+                    let _e85 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_11, 1f);
+                    let _e87 = lt_math_hausdorff_cubic_mass(_e39, _e57, 0f, param_11, 1f);
+                    let _e88 = ((1f - _e85) - _e87);
+                    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
+                        phi_1545_ = _e88;
+                    } else {
+                        if (_e88 < 0f) {
+                            phi_1544_ = 0f;
+                        } else {
+                            if (_e88 > 1f) {
+                                phi_1543_ = 1f;
+                            } else {
+                                phi_1543_ = _e88;
+                            }
+                            let _e95 = phi_1543_;
+                            phi_1544_ = _e95;
+                        }
+                        let _e97 = phi_1544_;
+                        phi_1545_ = _e97;
+                    }
+                    let _e99 = phi_1545_;
+                    phi_1546_ = _e99;
+                    phi_1547_ = false;
+                } else {
+                    phi_1546_ = f32();
+                    phi_1547_ = true;
+                }
+                let _e101 = phi_1546_;
+                let _e103 = phi_1547_;
+                phi_1548_ = _e101;
+                phi_1549_ = _e103;
+            } else {
+                phi_1548_ = f32();
+                phi_1549_ = true;
+            }
+            let _e105 = phi_1548_;
+            let _e107 = phi_1549_;
+            if _e107 {
+                if (_e57 > param_11) {
+                    if (_e57 < 1f) {
+                        let _e110 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_11, 1f);
+                        let _e111 = (1f - _e110);
+                        if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
+                            phi_1579_ = _e111;
+                        } else {
+                            if (_e111 < 0f) {
+                                phi_1578_ = 0f;
+                            } else {
+                                if (_e111 > 1f) {
+                                    phi_1577_ = 1f;
+                                } else {
+                                    phi_1577_ = _e111;
+                                }
+                                let _e118 = phi_1577_;
+                                phi_1578_ = _e118;
+                            }
+                            let _e120 = phi_1578_;
+                            phi_1579_ = _e120;
+                        }
+                        let _e122 = phi_1579_;
+                        phi_1580_ = _e122;
+                        phi_1581_ = false;
+                    } else {
+                        phi_1580_ = f32();
+                        phi_1581_ = true;
+                    }
+                    let _e124 = phi_1580_;
+                    let _e126 = phi_1581_;
+                    phi_1582_ = _e124;
+                    phi_1583_ = _e126;
+                } else {
+                    phi_1582_ = f32();
+                    phi_1583_ = true;
+                }
+                let _e128 = phi_1582_;
+                let _e130 = phi_1583_;
+                if _e130 {
+                    phi_1590_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
+                } else {
+                    phi_1590_ = _e128;
+                }
+                let _e135 = phi_1590_;
+                phi_1591_ = _e135;
+            } else {
+                phi_1591_ = _e105;
+            }
+            let _e137 = phi_1591_;
+            phi_1592_ = _e137;
+        }
+        let _e139 = phi_1592_;
+        phi_1593_ = _e139;
+    }
+    let _e141 = phi_1593_;
+    return _e141;
+}
+
+fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_12: ptr<function, f32>, param_13: vec4<f32>, param_14: f32) -> f32 {
+    var local: hankel_HankelFactors;
+    var phi_801_: f32;
+    var phi_802_: f32;
+    var phi_803_: f32;
+    var phi_815_: bool;
+    var phi_830_: bool;
+    var phi_855_: f32;
+    var phi_856_: f32;
+    var phi_857_: f32;
+    var phi_858_: f32;
+    var phi_859_: bool;
+    var phi_860_: f32;
+    var phi_861_: bool;
+    var phi_917_: vec2<f32>;
+    var phi_955_: f32;
+    var phi_956_: f32;
     var phi_957_: f32;
-    var phi_958_: f32;
-    var phi_959_: f32;
-    var phi_976_: f32;
-    var phi_977_: f32;
-    var phi_978_: f32;
-    var phi_1004_: f32;
-    var phi_1005_: f32;
-    var phi_1006_: f32;
-    var phi_1007_: f32;
-    var phi_1008_: f32;
-    var phi_1020_: bool;
-    var phi_1021_: bool;
-    var phi_1022_: bool;
-    var phi_1026_: bool;
-    var phi_1038_: bool;
-    var phi_1039_: bool;
-    var phi_1043_: f32;
-    var phi_1054_: f32;
-    var phi_1069_: f32;
-    var phi_1071_: lt_bvh_slab_Span;
+    var phi_990_: f32;
+    var phi_991_: f32;
+    var phi_992_: f32;
+    var phi_996_: f32;
+    var phi_997_: f32;
+    var phi_998_: f32;
+    var phi_999_: f32;
+    var phi_1052_: vec2<f32>;
+    var phi_1074_: bool;
+    var phi_1099_: f32;
+    var phi_1100_: f32;
+    var phi_1101_: f32;
+    var phi_1102_: f32;
+    var phi_1103_: bool;
+    var phi_1104_: f32;
+    var phi_1105_: bool;
+    var phi_1161_: vec2<f32>;
     var phi_1199_: f32;
     var phi_1200_: f32;
     var phi_1201_: f32;
-    var phi_1202_: f32;
-    var phi_1203_: f32;
-    var phi_1204_: bool;
-    var phi_1208_: f32;
-    var phi_1218_: bool;
-    var phi_1231_: bool;
-    var phi_1240_: bool;
+    var phi_1234_: f32;
+    var phi_1235_: f32;
+    var phi_1236_: f32;
+    var phi_1240_: f32;
+    var phi_1241_: f32;
+    var phi_1242_: f32;
+    var phi_1243_: f32;
+    var phi_1244_: f32;
     var phi_1245_: bool;
-    var phi_1246_: bool;
+    var phi_1246_: f32;
     var phi_1247_: bool;
-    var phi_1248_: bool;
-    var phi_1255_: bool;
-    var phi_1256_: bool;
-    var phi_1257_: bool;
-    var phi_1258_: bool;
-    var phi_1259_: bool;
-    var phi_1263_: bool;
-    var phi_1328_: f32;
-    var phi_1329_: f32;
-    var phi_1330_: f32;
-    var phi_1347_: f32;
-    var phi_1348_: f32;
-    var phi_1349_: f32;
-    var phi_1366_: f32;
-    var phi_1367_: f32;
-    var phi_1368_: f32;
-    var phi_1385_: f32;
-    var phi_1386_: f32;
-    var phi_1387_: f32;
-    var phi_1477_: f32;
-    var phi_1478_: f32;
-    var phi_1489_: bool;
-    var phi_1493_: f32;
-    var phi_1494_: f32;
-    var phi_1495_: f32;
-    var phi_1496_: bool;
-    var phi_1500_: f32;
-    var phi_1515_: f32;
-    var phi_1516_: f32;
-    var phi_1517_: f32;
-    var phi_1525_: bool;
-    var phi_1526_: bool;
-    var phi_1530_: f32;
-    var phi_1531_: f32;
+    var phi_1269_: bool;
+    var phi_1294_: f32;
+    var phi_1295_: f32;
+    var phi_1296_: f32;
+    var phi_1297_: f32;
+    var phi_1298_: bool;
+    var phi_1299_: f32;
+    var phi_1300_: bool;
+    var phi_1356_: vec2<f32>;
+    var phi_1394_: f32;
+    var phi_1395_: f32;
+    var phi_1396_: f32;
+    var phi_1429_: f32;
+    var phi_1430_: f32;
+    var phi_1431_: f32;
+    var phi_1435_: f32;
+    var phi_1436_: f32;
+    var phi_1437_: f32;
+    var phi_1438_: f32;
+    var phi_1449_: bool;
+    var phi_1453_: f32;
+    var phi_1454_: f32;
+    var phi_1455_: f32;
+    var phi_1456_: f32;
 
-    if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_601_ = param_6;
+    let _e40 = (*param_12);
+    let _e41 = (1f - _e40);
+    let _e50 = (0.5f * _e40);
+    let _e51 = ((param_13.x * _e41) + _e50);
+    let _e52 = ((param_13.y * _e41) + _e50);
+    let _e53 = ((param_13.z * _e41) + _e50);
+    let _e54 = ((param_13.w * _e41) + _e50);
+    let _e57 = (_e52 - (_e51 * _e51));
+    let _e59 = (_e53 - (_e51 * _e52));
+    let _e65 = hankel_HankelFactors(vec4<f32>(_e51, _e52, _e53, _e54), _e57, _e59, (((_e54 - (_e52 * _e52)) * _e57) - (_e59 * _e59)));
+    local = hankel_HankelFactors(_e65.moments, _e65.d22_, _e65.l32_d22_, _e65.d33_d22_);
+    if ((bitcast<u32>(param_14) & 2147483647u) > 2139095040u) {
+        phi_803_ = param_14;
     } else {
-        if (param_6 < 0f) {
-            phi_600_ = 0f;
+        if (param_14 < 0f) {
+            phi_802_ = 0f;
         } else {
-            if (param_6 > 1f) {
-                phi_599_ = 1f;
+            if (param_14 > 1f) {
+                phi_801_ = 1f;
             } else {
-                phi_599_ = param_6;
+                phi_801_ = param_14;
             }
-            let _e49 = phi_599_;
-            phi_600_ = _e49;
+            let _e77 = phi_801_;
+            phi_802_ = _e77;
         }
-        let _e51 = phi_600_;
-        phi_601_ = _e51;
+        let _e79 = phi_802_;
+        phi_803_ = _e79;
     }
-    let _e53 = phi_601_;
-    let _e54 = (_e53 - 0.00000047683716f);
-    if ((bitcast<u32>(param_4.x) & 2147483647u) > 2139095040u) {
-        phi_620_ = param_4.x;
+    let _e81 = phi_803_;
+    let _e84 = local.moments[0u];
+    let _e87 = local.moments[3u];
+    if (_e84 == _e87) {
+        let _e91 = local.moments[0u];
+        phi_815_ = (_e91 > 0.5f);
     } else {
-        if (param_4.x < 0f) {
-            phi_619_ = 0f;
+        phi_815_ = false;
+    }
+    let _e94 = phi_815_;
+    if _e94 {
+        let _e97 = local.moments[0u];
+        let _e100 = local.moments[3u];
+        if (_e97 == _e100) {
+            let _e104 = local.moments[0u];
+            phi_830_ = (_e104 > 0.5f);
         } else {
-            if (param_4.x > 1f) {
-                phi_618_ = 1f;
-            } else {
-                phi_618_ = param_4.x;
-            }
-            let _e62 = phi_618_;
-            phi_619_ = _e62;
+            phi_830_ = false;
         }
-        let _e64 = phi_619_;
-        phi_620_ = _e64;
-    }
-    let _e66 = phi_620_;
-    if ((bitcast<u32>(param_4.y) & 2147483647u) > 2139095040u) {
-        phi_638_ = param_4.y;
-    } else {
-        if (param_4.y < 0f) {
-            phi_637_ = 0f;
-        } else {
-            if (param_4.y > 1f) {
-                phi_636_ = 1f;
-            } else {
-                phi_636_ = param_4.y;
-            }
-            let _e74 = phi_636_;
-            phi_637_ = _e74;
-        }
-        let _e76 = phi_637_;
-        phi_638_ = _e76;
-    }
-    let _e78 = phi_638_;
-    if ((bitcast<u32>(param_4.z) & 2147483647u) > 2139095040u) {
-        phi_656_ = param_4.z;
-    } else {
-        if (param_4.z < 0f) {
-            phi_655_ = 0f;
-        } else {
-            if (param_4.z > 1f) {
-                phi_654_ = 1f;
-            } else {
-                phi_654_ = param_4.z;
-            }
-            let _e86 = phi_654_;
-            phi_655_ = _e86;
-        }
-        let _e88 = phi_655_;
-        phi_656_ = _e88;
-    }
-    let _e90 = phi_656_;
-    if ((bitcast<u32>(param_4.w) & 2147483647u) > 2139095040u) {
-        phi_674_ = param_4.w;
-    } else {
-        if (param_4.w < 0f) {
-            phi_673_ = 0f;
-        } else {
-            if (param_4.w > 1f) {
-                phi_672_ = 1f;
-            } else {
-                phi_672_ = param_4.w;
-            }
-            let _e98 = phi_672_;
-            phi_673_ = _e98;
-        }
-        let _e100 = phi_673_;
-        phi_674_ = _e100;
-    }
-    let _e102 = phi_674_;
-    let _e103 = (_e66 - _e54);
-    let _e104 = (_e78 - _e54);
-    let _e105 = (_e90 - _e54);
-    let _e106 = (_e102 - _e54);
-    if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
-        phi_689_ = true;
-    } else {
-        let _e110 = (_e104 < _e103);
-        if _e110 {
-        }
-        phi_689_ = _e110;
-    }
-    let _e112 = phi_689_;
-    if _e112 {
-        phi_693_ = _e104;
-    } else {
-        phi_693_ = _e103;
-    }
-    let _e114 = phi_693_;
-    if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-        phi_704_ = true;
-    } else {
-        let _e118 = (_e106 < _e105);
-        if _e118 {
-        }
-        phi_704_ = _e118;
-    }
-    let _e120 = phi_704_;
-    if _e120 {
-        phi_708_ = _e106;
-    } else {
-        phi_708_ = _e105;
-    }
-    let _e122 = phi_708_;
-    if ((bitcast<u32>(_e122) & 2147483647u) > 2139095040u) {
-        phi_719_ = true;
-    } else {
-        let _e126 = (_e122 < _e114);
-        if _e126 {
-        }
-        phi_719_ = _e126;
-    }
-    let _e128 = phi_719_;
-    if _e128 {
-        phi_723_ = _e122;
-    } else {
-        phi_723_ = _e114;
-    }
-    let _e130 = phi_723_;
-    if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
-        phi_734_ = true;
-    } else {
-        let _e134 = (_e104 > _e103);
-        if _e134 {
-        }
-        phi_734_ = _e134;
-    }
-    let _e136 = phi_734_;
-    if _e136 {
-        phi_738_ = _e104;
-    } else {
-        phi_738_ = _e103;
-    }
-    let _e138 = phi_738_;
-    if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-        phi_749_ = true;
-    } else {
-        let _e142 = (_e106 > _e105);
-        if _e142 {
-        }
-        phi_749_ = _e142;
-    }
-    let _e144 = phi_749_;
-    if _e144 {
-        phi_753_ = _e106;
-    } else {
-        phi_753_ = _e105;
-    }
-    let _e146 = phi_753_;
-    if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
-        phi_764_ = true;
-    } else {
-        let _e150 = (_e146 > _e138);
-        if _e150 {
-        }
-        phi_764_ = _e150;
-    }
-    let _e152 = phi_764_;
-    if _e152 {
-        phi_768_ = _e146;
-    } else {
-        phi_768_ = _e138;
-    }
-    let _e154 = phi_768_;
-    let _e165 = ((((_e103 * param_5.x) + (_e104 * param_5.y)) + (_e105 * param_5.z)) + (_e106 * param_5.w));
-    let _e166 = -(_e130);
-    if ((bitcast<u32>(_e154) & 2147483647u) > 2139095040u) {
-        phi_791_ = true;
-    } else {
-        let _e170 = (_e154 > _e166);
-        if _e170 {
-        }
-        phi_791_ = _e170;
-    }
-    let _e172 = phi_791_;
-    if _e172 {
-        phi_795_ = _e154;
-    } else {
-        phi_795_ = _e166;
-    }
-    let _e174 = phi_795_;
-    if ((bitcast<u32>(0.0000009536743f) & 2147483647u) > 2139095040u) {
-        phi_806_ = true;
-    } else {
-        let _e178 = (0.0000009536743f > _e174);
-        if _e178 {
-        }
-        phi_806_ = _e178;
-    }
-    let _e180 = phi_806_;
-    if _e180 {
-        phi_810_ = 0.0000009536743f;
-    } else {
-        phi_810_ = _e174;
-    }
-    let _e182 = phi_810_;
-    let _e186 = bitcast<f32>((2130706432u - (bitcast<u32>(_e182) & 2139095040u)));
-    let _e187 = (_e103 * _e186);
-    let _e188 = (_e104 * _e186);
-    let _e189 = (_e105 * _e186);
-    let _e190 = (_e106 * _e186);
-    let _e191 = (_e187 - _e188);
-    let _e192 = (_e188 - _e189);
-    let _e193 = (_e189 - _e190);
-    let _e194 = (_e190 - _e187);
-    let _e195 = (_e191 * _e191);
-    let _e196 = (_e192 * _e192);
-    let _e197 = (_e193 * _e193);
-    let _e198 = (_e194 * _e194);
-    let _e201 = ((_e187 - _e189) * (_e187 - _e189));
-    let _e204 = ((_e188 - _e190) * (_e188 - _e190));
-    let _e206 = (param_5.x * _e187);
-    let _e208 = (param_5.y * _e188);
-    let _e210 = (param_5.z * _e189);
-    let _e212 = (param_5.w * _e190);
-    let _e217 = ((_e206 * _e208) * _e195);
-    let _e218 = ((_e208 * _e210) * _e196);
-    let _e219 = ((_e210 * _e212) * _e197);
-    let _e220 = ((_e212 * _e206) * _e198);
-    let _e222 = ((_e206 * _e210) * _e201);
-    let _e224 = ((_e208 * _e212) * _e204);
-    let _e241 = ((((((_e217 * (_e187 * _e188)) + (_e218 * (_e188 * _e189))) + (_e219 * (_e189 * _e190))) + (_e220 * (_e190 * _e187))) + (_e222 * (_e187 * _e189))) + (_e224 * (_e188 * _e190)));
-    let _e265 = (_e130 >= 0f);
-    let _e268 = ((bitcast<u32>(_e165) & 2147483647u) > 2139095040u);
-    if _e268 {
-        phi_1008_ = _e165;
-    } else {
-        if _e265 {
-            phi_1007_ = 1f;
-        } else {
-            if ((bitcast<u32>(_e187) & 2147483647u) > 2139095040u) {
-                phi_921_ = _e187;
-            } else {
-                if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                    phi_920_ = 0f;
+        let _e107 = phi_830_;
+        if _e107 {
+            if (_e81 > 0f) {
+                let _e110 = local.moments;
+                if ((bitcast<u32>(_e110.x) & 2147483647u) > 2139095040u) {
+                    phi_857_ = _e110.x;
                 } else {
-                    if (_e187 < 0f) {
-                        phi_919_ = 0f;
+                    if (_e110.x < 0f) {
+                        phi_856_ = 0f;
                     } else {
-                        phi_919_ = 1f;
-                    }
-                    let _e277 = phi_919_;
-                    phi_920_ = _e277;
-                }
-                let _e279 = phi_920_;
-                phi_921_ = _e279;
-            }
-            let _e281 = phi_921_;
-            if ((bitcast<u32>(_e188) & 2147483647u) > 2139095040u) {
-                phi_940_ = _e188;
-            } else {
-                if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                    phi_939_ = 0f;
-                } else {
-                    if (_e188 < 0f) {
-                        phi_938_ = 0f;
-                    } else {
-                        phi_938_ = 1f;
-                    }
-                    let _e290 = phi_938_;
-                    phi_939_ = _e290;
-                }
-                let _e292 = phi_939_;
-                phi_940_ = _e292;
-            }
-            let _e294 = phi_940_;
-            if ((bitcast<u32>(_e189) & 2147483647u) > 2139095040u) {
-                phi_959_ = _e189;
-            } else {
-                if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                    phi_958_ = 0f;
-                } else {
-                    if (_e189 < 0f) {
-                        phi_957_ = 0f;
-                    } else {
-                        phi_957_ = 1f;
-                    }
-                    let _e303 = phi_957_;
-                    phi_958_ = _e303;
-                }
-                let _e305 = phi_958_;
-                phi_959_ = _e305;
-            }
-            let _e307 = phi_959_;
-            if ((bitcast<u32>(_e190) & 2147483647u) > 2139095040u) {
-                phi_978_ = _e190;
-            } else {
-                if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                    phi_977_ = 0f;
-                } else {
-                    if (_e190 < 0f) {
-                        phi_976_ = 0f;
-                    } else {
-                        phi_976_ = 1f;
-                    }
-                    let _e316 = phi_976_;
-                    phi_977_ = _e316;
-                }
-                let _e318 = phi_977_;
-                phi_978_ = _e318;
-            }
-            let _e320 = phi_978_;
-            let _e331 = ((((_e281 * param_5.x) + (_e294 * param_5.y)) + (_e307 * param_5.z)) + (_e320 * param_5.w));
-            if ((bitcast<u32>(_e331) & 2147483647u) > 2139095040u) {
-                phi_1006_ = _e331;
-            } else {
-                if (_e331 < 0f) {
-                    phi_1005_ = 0f;
-                } else {
-                    if (_e331 > 1f) {
-                        phi_1004_ = 1f;
-                    } else {
-                        phi_1004_ = _e331;
-                    }
-                    let _e338 = phi_1004_;
-                    phi_1005_ = _e338;
-                }
-                let _e340 = phi_1005_;
-                phi_1006_ = _e340;
-            }
-            let _e342 = phi_1006_;
-            phi_1007_ = _e342;
-        }
-        let _e344 = phi_1007_;
-        phi_1008_ = _e344;
-    }
-    let _e346 = phi_1008_;
-    let _e348 = (-(_e54) * _e186);
-    let _e350 = ((1f - _e54) * _e186);
-    if _e268 {
-        phi_1021_ = bool();
-        phi_1022_ = true;
-    } else {
-        if _e265 {
-            phi_1020_ = bool();
-        } else {
-            phi_1020_ = (_e241 < 0.0000000000000000000000000000000001f);
-        }
-        let _e353 = phi_1020_;
-        phi_1021_ = _e353;
-        phi_1022_ = _e265;
-    }
-    let _e355 = phi_1021_;
-    let _e357 = phi_1022_;
-    if _e357 {
-        phi_1026_ = true;
-    } else {
-        phi_1026_ = _e355;
-    }
-    let _e359 = phi_1026_;
-    let _e360 = (_e165 >= 0f);
-    if _e359 {
-        if _e360 {
-            if (_e346 < 0.05f) {
-                phi_1038_ = false;
-            } else {
-                phi_1038_ = true;
-            }
-            let _e363 = phi_1038_;
-            phi_1039_ = _e363;
-        } else {
-            phi_1039_ = true;
-        }
-        let _e365 = phi_1039_;
-        if _e365 {
-            phi_1043_ = _e346;
-        } else {
-            phi_1043_ = 0.05f;
-        }
-        let _e367 = phi_1043_;
-        phi_1531_ = _e367;
-    } else {
-        let _e369 = ((0.5f * -(((((((_e217 * (_e187 + _e188)) + (_e218 * (_e188 + _e189))) + (_e219 * (_e189 + _e190))) + (_e220 * (_e190 + _e187))) + (_e222 * (_e187 + _e189))) + (_e224 * (_e188 + _e190))))) / _e241);
-        let _e370 = ((((((_e217 + _e218) + _e219) + _e220) + _e222) + _e224) / _e241);
-        let _e372 = ((_e369 * _e369) - _e370);
-        if (_e372 > 0f) {
-            phi_1054_ = sqrt(_e372);
-        } else {
-            phi_1054_ = 0f;
-        }
-        let _e376 = phi_1054_;
-        if (_e369 > 0f) {
-            let _e379 = (-(_e369) - _e376);
-            phi_1071_ = lt_bvh_slab_Span(_e379, (_e370 / _e379));
-        } else {
-            let _e382 = (_e376 - _e369);
-            if (_e382 > 0f) {
-                phi_1069_ = (_e370 / _e382);
-            } else {
-                phi_1069_ = 0f;
-            }
-            let _e386 = phi_1069_;
-            phi_1071_ = lt_bvh_slab_Span(_e386, _e382);
-        }
-        let _e389 = phi_1071_;
-        if (_e389.near >= 0f) {
-            phi_1202_ = 1f;
-            phi_1203_ = f32();
-            phi_1204_ = true;
-        } else {
-            let _e393 = (_e389.far <= 0f);
-            if _e393 {
-                phi_1200_ = (((((((((param_5.x * param_5.y) * param_5.z) * _e195) * _e196) * _e201) + (((((param_5.y * param_5.z) * param_5.w) * _e196) * _e197) * _e204)) + (((((param_5.z * param_5.w) * param_5.x) * _e197) * _e198) * _e201)) + (((((param_5.w * param_5.x) * param_5.y) * _e198) * _e195) * _e204)) / _e241);
-                phi_1201_ = f32();
-            } else {
-                let _e440 = ((((param_5.x * _e187) + (param_5.y * _e188)) + (param_5.z * _e189)) + (param_5.w * _e190));
-                let _e455 = ((((param_5.x * (_e187 * _e187)) + (param_5.y * (_e188 * _e188))) + (param_5.z * (_e189 * _e189))) + (param_5.w * (_e190 * _e190)));
-                if (-(_e389.near) <= _e389.far) {
-                    phi_1199_ = (1f - (((_e389.near * _e389.near) * ((_e389.far * _e455) - _e440)) / (_e389.far - _e389.near)));
-                } else {
-                    phi_1199_ = ((((((((((param_5.x * param_5.y) * param_5.z) * _e195) * _e196) * _e201) + (((((param_5.y * param_5.z) * param_5.w) * _e196) * _e197) * _e204)) + (((((param_5.z * param_5.w) * param_5.x) * _e197) * _e198) * _e201)) + (((((param_5.w * param_5.x) * param_5.y) * _e198) * _e195) * _e204)) / _e241) + (((_e389.far * _e389.far) * (_e440 - (_e389.near * _e455))) / (_e389.far - _e389.near)));
-                }
-                let _e509 = phi_1199_;
-                phi_1200_ = f32();
-                phi_1201_ = _e509;
-            }
-            let _e511 = phi_1200_;
-            let _e513 = phi_1201_;
-            phi_1202_ = _e511;
-            phi_1203_ = _e513;
-            phi_1204_ = _e393;
-        }
-        let _e515 = phi_1202_;
-        let _e517 = phi_1203_;
-        let _e519 = phi_1204_;
-        if _e519 {
-            phi_1208_ = _e515;
-        } else {
-            phi_1208_ = _e517;
-        }
-        let _e521 = phi_1208_;
-        if ((_e389.near * _e348) >= (1f - 0.00001f)) {
-            phi_1218_ = true;
-        } else {
-            phi_1218_ = ((_e389.near * _e350) >= (1f - 0.00001f));
-        }
-        let _e529 = phi_1218_;
-        if _e529 {
-            if ((_e389.far * _e348) >= (1f - 0.00001f)) {
-                phi_1231_ = true;
-            } else {
-                phi_1231_ = ((_e389.far * _e350) >= (1f - 0.00001f));
-            }
-            let _e537 = phi_1231_;
-            if (-(_e348) < 0.0001f) {
-                if _e537 {
-                    phi_1240_ = false;
-                } else {
-                    phi_1240_ = true;
-                }
-                let _e541 = phi_1240_;
-                phi_1246_ = bool();
-                phi_1247_ = _e541;
-                phi_1248_ = false;
-            } else {
-                if _e537 {
-                    phi_1245_ = false;
-                } else {
-                    phi_1245_ = true;
-                }
-                let _e544 = phi_1245_;
-                phi_1246_ = (_e350 < 0.0001f);
-                phi_1247_ = false;
-                phi_1248_ = _e544;
-            }
-            let _e546 = phi_1246_;
-            let _e548 = phi_1247_;
-            let _e550 = phi_1248_;
-            phi_1257_ = _e546;
-            phi_1258_ = _e548;
-            phi_1259_ = _e550;
-        } else {
-            let _e552 = (-(_e348) < 0.0001f);
-            if _e552 {
-                phi_1255_ = bool();
-                phi_1256_ = false;
-            } else {
-                phi_1255_ = (_e350 < 0.0001f);
-                phi_1256_ = true;
-            }
-            let _e555 = phi_1255_;
-            let _e557 = phi_1256_;
-            phi_1257_ = _e555;
-            phi_1258_ = _e552;
-            phi_1259_ = _e557;
-        }
-        let _e559 = phi_1257_;
-        let _e561 = phi_1258_;
-        let _e563 = phi_1259_;
-        if _e561 {
-            phi_1263_ = false;
-        } else {
-            phi_1263_ = _e563;
-        }
-        let _e565 = phi_1263_;
-        if _e565 {
-            if _e559 {
-                phi_1494_ = f32();
-            } else {
-                let _e566 = (_e187 - _e348);
-                let _e567 = (_e188 - _e348);
-                let _e568 = (_e189 - _e348);
-                let _e569 = (_e190 - _e348);
-                let _e570 = (_e350 - _e187);
-                let _e571 = (_e350 - _e188);
-                let _e572 = (_e350 - _e189);
-                let _e573 = (_e350 - _e190);
-                let _e582 = ((param_5.x * _e566) * _e570);
-                let _e583 = ((param_5.y * _e567) * _e571);
-                let _e584 = ((param_5.z * _e568) * _e572);
-                let _e585 = ((param_5.w * _e569) * _e573);
-                let _e603 = ((((_e582 * (_e187 * _e187)) + (_e583 * (_e188 * _e188))) + (_e584 * (_e189 * _e189))) + (_e585 * (_e190 * _e190)));
-                if (_e603 < 0.0000000000000000000000000000000001f) {
-                    if ((bitcast<u32>(_e187) & 2147483647u) > 2139095040u) {
-                        phi_1330_ = _e187;
-                    } else {
-                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_1329_ = 0f;
+                        if (_e110.x > 1f) {
+                            phi_855_ = 1f;
                         } else {
-                            if (_e187 < 0f) {
-                                phi_1328_ = 0f;
-                            } else {
-                                phi_1328_ = 1f;
-                            }
-                            let _e613 = phi_1328_;
-                            phi_1329_ = _e613;
+                            phi_855_ = _e110.x;
                         }
-                        let _e615 = phi_1329_;
-                        phi_1330_ = _e615;
+                        let _e118 = phi_855_;
+                        phi_856_ = _e118;
                     }
-                    let _e617 = phi_1330_;
-                    if ((bitcast<u32>(_e188) & 2147483647u) > 2139095040u) {
-                        phi_1349_ = _e188;
-                    } else {
-                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_1348_ = 0f;
-                        } else {
-                            if (_e188 < 0f) {
-                                phi_1347_ = 0f;
-                            } else {
-                                phi_1347_ = 1f;
-                            }
-                            let _e626 = phi_1347_;
-                            phi_1348_ = _e626;
-                        }
-                        let _e628 = phi_1348_;
-                        phi_1349_ = _e628;
-                    }
-                    let _e630 = phi_1349_;
-                    if ((bitcast<u32>(_e189) & 2147483647u) > 2139095040u) {
-                        phi_1368_ = _e189;
-                    } else {
-                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_1367_ = 0f;
-                        } else {
-                            if (_e189 < 0f) {
-                                phi_1366_ = 0f;
-                            } else {
-                                phi_1366_ = 1f;
-                            }
-                            let _e639 = phi_1366_;
-                            phi_1367_ = _e639;
-                        }
-                        let _e641 = phi_1367_;
-                        phi_1368_ = _e641;
-                    }
-                    let _e643 = phi_1368_;
-                    if ((bitcast<u32>(_e190) & 2147483647u) > 2139095040u) {
-                        phi_1387_ = _e190;
-                    } else {
-                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_1386_ = 0f;
-                        } else {
-                            if (_e190 < 0f) {
-                                phi_1385_ = 0f;
-                            } else {
-                                phi_1385_ = 1f;
-                            }
-                            let _e652 = phi_1385_;
-                            phi_1386_ = _e652;
-                        }
-                        let _e654 = phi_1386_;
-                        phi_1387_ = _e654;
-                    }
-                    let _e656 = phi_1387_;
-                    phi_1478_ = ((((_e617 * param_5.x) + (_e630 * param_5.y)) + (_e643 * param_5.z)) + (_e656 * param_5.w));
-                } else {
-                    let _e668 = (((((_e582 * _e187) + (_e583 * _e188)) + (_e584 * _e189)) + (_e585 * _e190)) / _e603);
-                    let _e689 = ((param_5.x * _e187) * (vec4<f32>(1f, 1f, 1f, 1f).x - (_e668 * _e187)));
-                    let _e690 = ((param_5.y * _e188) * (vec4<f32>(1f, 1f, 1f, 1f).y - (_e668 * _e188)));
-                    let _e691 = ((param_5.z * _e189) * (vec4<f32>(1f, 1f, 1f, 1f).z - (_e668 * _e189)));
-                    let _e692 = ((param_5.w * _e190) * (vec4<f32>(1f, 1f, 1f, 1f).w - (_e668 * _e190)));
-                    if (_e668 > 0f) {
-                        phi_1477_ = (1f - (((((_e689 * _e570) + (_e690 * _e571)) + (_e691 * _e572)) + (_e692 * _e573)) / ((_e348 * ((_e348 * _e668) - 1f)) * (_e348 - _e350))));
-                    } else {
-                        phi_1477_ = (((((((((_e582 * _e583) * _e195) + ((_e583 * _e584) * _e196)) + ((_e584 * _e585) * _e197)) + ((_e585 * _e582) * _e198)) + ((_e582 * _e584) * _e201)) + ((_e583 * _e585) * _e204)) / (_e603 * (-(_e348) * _e350))) + (((((_e689 * _e566) + (_e690 * _e567)) + (_e691 * _e568)) + (_e692 * _e569)) / ((_e350 * (1f - (_e668 * _e350))) * (_e350 - _e348))));
-                    }
-                    let _e744 = phi_1477_;
-                    phi_1478_ = _e744;
+                    let _e120 = phi_856_;
+                    phi_857_ = _e120;
                 }
-                let _e746 = phi_1478_;
-                if ((bitcast<u32>(_e521) & 2147483647u) > 2139095040u) {
-                    phi_1489_ = true;
-                } else {
-                    let _e750 = (_e521 < _e746);
-                    if _e750 {
-                    }
-                    phi_1489_ = _e750;
-                }
-                let _e752 = phi_1489_;
-                if _e752 {
-                    phi_1493_ = _e521;
-                } else {
-                    phi_1493_ = _e746;
-                }
-                let _e754 = phi_1493_;
-                phi_1494_ = _e754;
-            }
-            let _e756 = phi_1494_;
-            phi_1495_ = _e756;
-            phi_1496_ = _e559;
-        } else {
-            phi_1495_ = f32();
-            phi_1496_ = true;
-        }
-        let _e758 = phi_1495_;
-        let _e760 = phi_1496_;
-        if _e760 {
-            phi_1500_ = _e521;
-        } else {
-            phi_1500_ = _e758;
-        }
-        let _e762 = phi_1500_;
-        if ((bitcast<u32>(_e762) & 2147483647u) > 2139095040u) {
-            phi_1517_ = _e762;
-        } else {
-            if (_e762 < 0f) {
-                phi_1516_ = 0f;
+                let _e122 = phi_857_;
+                phi_858_ = _e122;
+                phi_859_ = false;
             } else {
-                if (_e762 > 1f) {
-                    phi_1515_ = 1f;
-                } else {
-                    phi_1515_ = _e762;
-                }
-                let _e769 = phi_1515_;
-                phi_1516_ = _e769;
+                phi_858_ = f32();
+                phi_859_ = true;
             }
-            let _e771 = phi_1516_;
-            phi_1517_ = _e771;
+            let _e124 = phi_858_;
+            let _e126 = phi_859_;
+            phi_860_ = _e124;
+            phi_861_ = _e126;
+        } else {
+            phi_860_ = f32();
+            phi_861_ = true;
         }
-        let _e773 = phi_1517_;
-        if _e360 {
-            if (_e773 < 0.05f) {
-                phi_1525_ = false;
+        let _e128 = phi_860_;
+        let _e130 = phi_861_;
+        if _e130 {
+            let _e133 = local.moments[0u];
+            let _e136 = local.moments[1u];
+            let _e144 = local.l32_d22_;
+            let _e146 = local.d22_;
+            let _e147 = (_e144 / _e146);
+            let _e148 = (_e81 - _e133);
+            let _e154 = local.d22_;
+            let _e157 = local.d33_d22_;
+            let _e158 = (((((_e81 * _e81) - _e136) - (_e147 * _e148)) * _e154) / _e157);
+            let _e160 = local.d22_;
+            let _e163 = ((_e148 / _e160) - (_e147 * _e158));
+            let _e169 = ((0.5f * _e163) / _e158);
+            let _e172 = ((_e169 * _e169) - (((1f - (_e163 * _e133)) - (_e158 * _e136)) / _e158));
+            if (_e172 >= 0f) {
+                let _e174 = sqrt(_e172);
+                phi_917_ = vec2<f32>((-(_e169) - _e174), (-(_e169) + _e174));
             } else {
-                phi_1525_ = true;
+                phi_917_ = vec2(bitcast<f32>((bitcast<u32>(_e172) | 2143289344u)));
             }
-            let _e776 = phi_1525_;
-            phi_1526_ = _e776;
+            let _e185 = phi_917_;
+            if (_e81 <= _e185.x) {
+                phi_998_ = 1f;
+            } else {
+                if (_e81 > _e185.y) {
+                    let _e191 = local.moments;
+                    let _e202 = (((_e191.y - (_e191.x * (_e185.x + _e185.y))) + (_e185.x * _e185.y)) / ((_e81 - _e185.x) * (_e81 - _e185.y)));
+                    if ((bitcast<u32>(_e202) & 2147483647u) > 2139095040u) {
+                        phi_957_ = _e202;
+                    } else {
+                        if (_e202 < 0f) {
+                            phi_956_ = 0f;
+                        } else {
+                            if (_e202 > 1f) {
+                                phi_955_ = 1f;
+                            } else {
+                                phi_955_ = _e202;
+                            }
+                            let _e209 = phi_955_;
+                            phi_956_ = _e209;
+                        }
+                        let _e211 = phi_956_;
+                        phi_957_ = _e211;
+                    }
+                    let _e213 = phi_957_;
+                    phi_997_ = _e213;
+                } else {
+                    if (_e81 > _e185.x) {
+                        let _e216 = local.moments;
+                        let _e228 = (1f - (((_e216.y - (_e216.x * (_e81 + _e185.y))) + (_e81 * _e185.y)) / ((_e185.x - _e81) * (_e185.x - _e185.y))));
+                        if ((bitcast<u32>(_e228) & 2147483647u) > 2139095040u) {
+                            phi_992_ = _e228;
+                        } else {
+                            if (_e228 < 0f) {
+                                phi_991_ = 0f;
+                            } else {
+                                if (_e228 > 1f) {
+                                    phi_990_ = 1f;
+                                } else {
+                                    phi_990_ = _e228;
+                                }
+                                let _e235 = phi_990_;
+                                phi_991_ = _e235;
+                            }
+                            let _e237 = phi_991_;
+                            phi_992_ = _e237;
+                        }
+                        let _e239 = phi_992_;
+                        phi_996_ = _e239;
+                    } else {
+                        phi_996_ = bitcast<f32>((bitcast<u32>(_e185.x) | 2143289344u));
+                    }
+                    let _e244 = phi_996_;
+                    phi_997_ = _e244;
+                }
+                let _e246 = phi_997_;
+                phi_998_ = _e246;
+            }
+            let _e248 = phi_998_;
+            phi_999_ = _e248;
         } else {
-            phi_1526_ = true;
+            phi_999_ = _e128;
         }
-        let _e778 = phi_1526_;
-        if _e778 {
-            phi_1530_ = _e773;
+        let _e250 = phi_999_;
+        phi_1456_ = _e250;
+    } else {
+        let _e253 = local.moments[0u];
+        let _e256 = local.moments[1u];
+        let _e264 = local.l32_d22_;
+        let _e266 = local.d22_;
+        let _e267 = (_e264 / _e266);
+        let _e268 = (_e81 - _e253);
+        let _e274 = local.d22_;
+        let _e277 = local.d33_d22_;
+        let _e278 = (((((_e81 * _e81) - _e256) - (_e267 * _e268)) * _e274) / _e277);
+        let _e280 = local.d22_;
+        let _e283 = ((_e268 / _e280) - (_e267 * _e278));
+        let _e289 = ((0.5f * _e283) / _e278);
+        let _e292 = ((_e289 * _e289) - (((1f - (_e283 * _e253)) - (_e278 * _e256)) / _e278));
+        if (_e292 >= 0f) {
+            let _e294 = sqrt(_e292);
+            phi_1052_ = vec2<f32>((-(_e289) - _e294), (-(_e289) + _e294));
         } else {
-            phi_1530_ = 0.05f;
+            phi_1052_ = vec2(bitcast<f32>((bitcast<u32>(_e292) | 2143289344u)));
         }
-        let _e780 = phi_1530_;
-        phi_1531_ = _e780;
+        let _e305 = phi_1052_;
+        if (_e305.x >= 0f) {
+            if (_e305.y <= 1f) {
+                let _e312 = local.moments[0u];
+                let _e315 = local.moments[3u];
+                if (_e312 == _e315) {
+                    let _e319 = local.moments[0u];
+                    phi_1074_ = (_e319 > 0.5f);
+                } else {
+                    phi_1074_ = false;
+                }
+                let _e322 = phi_1074_;
+                if _e322 {
+                    if (_e81 > 0f) {
+                        let _e325 = local.moments;
+                        if ((bitcast<u32>(_e325.x) & 2147483647u) > 2139095040u) {
+                            phi_1101_ = _e325.x;
+                        } else {
+                            if (_e325.x < 0f) {
+                                phi_1100_ = 0f;
+                            } else {
+                                if (_e325.x > 1f) {
+                                    phi_1099_ = 1f;
+                                } else {
+                                    phi_1099_ = _e325.x;
+                                }
+                                let _e333 = phi_1099_;
+                                phi_1100_ = _e333;
+                            }
+                            let _e335 = phi_1100_;
+                            phi_1101_ = _e335;
+                        }
+                        let _e337 = phi_1101_;
+                        phi_1102_ = _e337;
+                        phi_1103_ = false;
+                    } else {
+                        phi_1102_ = f32();
+                        phi_1103_ = true;
+                    }
+                    let _e339 = phi_1102_;
+                    let _e341 = phi_1103_;
+                    phi_1104_ = _e339;
+                    phi_1105_ = _e341;
+                } else {
+                    phi_1104_ = f32();
+                    phi_1105_ = true;
+                }
+                let _e343 = phi_1104_;
+                let _e345 = phi_1105_;
+                if _e345 {
+                    let _e348 = local.moments[0u];
+                    let _e351 = local.moments[1u];
+                    let _e359 = local.l32_d22_;
+                    let _e361 = local.d22_;
+                    let _e362 = (_e359 / _e361);
+                    let _e363 = (_e81 - _e348);
+                    let _e369 = local.d22_;
+                    let _e372 = local.d33_d22_;
+                    let _e373 = (((((_e81 * _e81) - _e351) - (_e362 * _e363)) * _e369) / _e372);
+                    let _e375 = local.d22_;
+                    let _e378 = ((_e363 / _e375) - (_e362 * _e373));
+                    let _e384 = ((0.5f * _e378) / _e373);
+                    let _e387 = ((_e384 * _e384) - (((1f - (_e378 * _e348)) - (_e373 * _e351)) / _e373));
+                    if (_e387 >= 0f) {
+                        let _e389 = sqrt(_e387);
+                        phi_1161_ = vec2<f32>((-(_e384) - _e389), (-(_e384) + _e389));
+                    } else {
+                        phi_1161_ = vec2(bitcast<f32>((bitcast<u32>(_e387) | 2143289344u)));
+                    }
+                    let _e400 = phi_1161_;
+                    if (_e81 <= _e400.x) {
+                        phi_1242_ = 1f;
+                    } else {
+                        if (_e81 > _e400.y) {
+                            let _e406 = local.moments;
+                            let _e417 = (((_e406.y - (_e406.x * (_e400.x + _e400.y))) + (_e400.x * _e400.y)) / ((_e81 - _e400.x) * (_e81 - _e400.y)));
+                            if ((bitcast<u32>(_e417) & 2147483647u) > 2139095040u) {
+                                phi_1201_ = _e417;
+                            } else {
+                                if (_e417 < 0f) {
+                                    phi_1200_ = 0f;
+                                } else {
+                                    if (_e417 > 1f) {
+                                        phi_1199_ = 1f;
+                                    } else {
+                                        phi_1199_ = _e417;
+                                    }
+                                    let _e424 = phi_1199_;
+                                    phi_1200_ = _e424;
+                                }
+                                let _e426 = phi_1200_;
+                                phi_1201_ = _e426;
+                            }
+                            let _e428 = phi_1201_;
+                            phi_1241_ = _e428;
+                        } else {
+                            if (_e81 > _e400.x) {
+                                let _e431 = local.moments;
+                                let _e443 = (1f - (((_e431.y - (_e431.x * (_e81 + _e400.y))) + (_e81 * _e400.y)) / ((_e400.x - _e81) * (_e400.x - _e400.y))));
+                                if ((bitcast<u32>(_e443) & 2147483647u) > 2139095040u) {
+                                    phi_1236_ = _e443;
+                                } else {
+                                    if (_e443 < 0f) {
+                                        phi_1235_ = 0f;
+                                    } else {
+                                        if (_e443 > 1f) {
+                                            phi_1234_ = 1f;
+                                        } else {
+                                            phi_1234_ = _e443;
+                                        }
+                                        let _e450 = phi_1234_;
+                                        phi_1235_ = _e450;
+                                    }
+                                    let _e452 = phi_1235_;
+                                    phi_1236_ = _e452;
+                                }
+                                let _e454 = phi_1236_;
+                                phi_1240_ = _e454;
+                            } else {
+                                phi_1240_ = bitcast<f32>((bitcast<u32>(_e400.x) | 2143289344u));
+                            }
+                            let _e459 = phi_1240_;
+                            phi_1241_ = _e459;
+                        }
+                        let _e461 = phi_1241_;
+                        phi_1242_ = _e461;
+                    }
+                    let _e463 = phi_1242_;
+                    phi_1243_ = _e463;
+                } else {
+                    phi_1243_ = _e343;
+                }
+                let _e465 = phi_1243_;
+                phi_1244_ = _e465;
+                phi_1245_ = false;
+            } else {
+                phi_1244_ = f32();
+                phi_1245_ = true;
+            }
+            let _e467 = phi_1244_;
+            let _e469 = phi_1245_;
+            phi_1246_ = _e467;
+            phi_1247_ = _e469;
+        } else {
+            phi_1246_ = f32();
+            phi_1247_ = true;
+        }
+        let _e471 = phi_1246_;
+        let _e473 = phi_1247_;
+        if _e473 {
+            if ((bitcast<u32>(_e305.x) & 2147483647u) > 2139095040u) {
+                phi_1454_ = _e305.x;
+            } else {
+                let _e477 = lt_math_hausdorff_endpoint_upper_bound((&local), _e81);
+                let _e480 = local.moments[0u];
+                let _e483 = local.moments[3u];
+                if (_e480 == _e483) {
+                    let _e487 = local.moments[0u];
+                    phi_1269_ = (_e487 > 0.5f);
+                } else {
+                    phi_1269_ = false;
+                }
+                let _e490 = phi_1269_;
+                if _e490 {
+                    if (_e81 > 0f) {
+                        let _e493 = local.moments;
+                        if ((bitcast<u32>(_e493.x) & 2147483647u) > 2139095040u) {
+                            phi_1296_ = _e493.x;
+                        } else {
+                            if (_e493.x < 0f) {
+                                phi_1295_ = 0f;
+                            } else {
+                                if (_e493.x > 1f) {
+                                    phi_1294_ = 1f;
+                                } else {
+                                    phi_1294_ = _e493.x;
+                                }
+                                let _e501 = phi_1294_;
+                                phi_1295_ = _e501;
+                            }
+                            let _e503 = phi_1295_;
+                            phi_1296_ = _e503;
+                        }
+                        let _e505 = phi_1296_;
+                        phi_1297_ = _e505;
+                        phi_1298_ = false;
+                    } else {
+                        phi_1297_ = f32();
+                        phi_1298_ = true;
+                    }
+                    let _e507 = phi_1297_;
+                    let _e509 = phi_1298_;
+                    phi_1299_ = _e507;
+                    phi_1300_ = _e509;
+                } else {
+                    phi_1299_ = f32();
+                    phi_1300_ = true;
+                }
+                let _e511 = phi_1299_;
+                let _e513 = phi_1300_;
+                if _e513 {
+                    let _e516 = local.moments[0u];
+                    let _e519 = local.moments[1u];
+                    let _e527 = local.l32_d22_;
+                    let _e529 = local.d22_;
+                    let _e530 = (_e527 / _e529);
+                    let _e531 = (_e81 - _e516);
+                    let _e537 = local.d22_;
+                    let _e540 = local.d33_d22_;
+                    let _e541 = (((((_e81 * _e81) - _e519) - (_e530 * _e531)) * _e537) / _e540);
+                    let _e543 = local.d22_;
+                    let _e546 = ((_e531 / _e543) - (_e530 * _e541));
+                    let _e552 = ((0.5f * _e546) / _e541);
+                    let _e555 = ((_e552 * _e552) - (((1f - (_e546 * _e516)) - (_e541 * _e519)) / _e541));
+                    if (_e555 >= 0f) {
+                        let _e557 = sqrt(_e555);
+                        phi_1356_ = vec2<f32>((-(_e552) - _e557), (-(_e552) + _e557));
+                    } else {
+                        phi_1356_ = vec2(bitcast<f32>((bitcast<u32>(_e555) | 2143289344u)));
+                    }
+                    let _e568 = phi_1356_;
+                    if (_e81 <= _e568.x) {
+                        phi_1437_ = 1f;
+                    } else {
+                        if (_e81 > _e568.y) {
+                            let _e574 = local.moments;
+                            let _e585 = (((_e574.y - (_e574.x * (_e568.x + _e568.y))) + (_e568.x * _e568.y)) / ((_e81 - _e568.x) * (_e81 - _e568.y)));
+                            if ((bitcast<u32>(_e585) & 2147483647u) > 2139095040u) {
+                                phi_1396_ = _e585;
+                            } else {
+                                if (_e585 < 0f) {
+                                    phi_1395_ = 0f;
+                                } else {
+                                    if (_e585 > 1f) {
+                                        phi_1394_ = 1f;
+                                    } else {
+                                        phi_1394_ = _e585;
+                                    }
+                                    let _e592 = phi_1394_;
+                                    phi_1395_ = _e592;
+                                }
+                                let _e594 = phi_1395_;
+                                phi_1396_ = _e594;
+                            }
+                            let _e596 = phi_1396_;
+                            phi_1436_ = _e596;
+                        } else {
+                            if (_e81 > _e568.x) {
+                                let _e599 = local.moments;
+                                let _e611 = (1f - (((_e599.y - (_e599.x * (_e81 + _e568.y))) + (_e81 * _e568.y)) / ((_e568.x - _e81) * (_e568.x - _e568.y))));
+                                if ((bitcast<u32>(_e611) & 2147483647u) > 2139095040u) {
+                                    phi_1431_ = _e611;
+                                } else {
+                                    if (_e611 < 0f) {
+                                        phi_1430_ = 0f;
+                                    } else {
+                                        if (_e611 > 1f) {
+                                            phi_1429_ = 1f;
+                                        } else {
+                                            phi_1429_ = _e611;
+                                        }
+                                        let _e618 = phi_1429_;
+                                        phi_1430_ = _e618;
+                                    }
+                                    let _e620 = phi_1430_;
+                                    phi_1431_ = _e620;
+                                }
+                                let _e622 = phi_1431_;
+                                phi_1435_ = _e622;
+                            } else {
+                                phi_1435_ = bitcast<f32>((bitcast<u32>(_e568.x) | 2143289344u));
+                            }
+                            let _e627 = phi_1435_;
+                            phi_1436_ = _e627;
+                        }
+                        let _e629 = phi_1436_;
+                        phi_1437_ = _e629;
+                    }
+                    let _e631 = phi_1437_;
+                    phi_1438_ = _e631;
+                } else {
+                    phi_1438_ = _e511;
+                }
+                let _e633 = phi_1438_;
+                if ((bitcast<u32>(_e633) & 2147483647u) > 2139095040u) {
+                    phi_1449_ = true;
+                } else {
+                    let _e637 = (_e633 < _e477);
+                    if _e637 {
+                    }
+                    phi_1449_ = _e637;
+                }
+                let _e639 = phi_1449_;
+                if _e639 {
+                    phi_1453_ = _e633;
+                } else {
+                    phi_1453_ = _e477;
+                }
+                let _e641 = phi_1453_;
+                phi_1454_ = _e641;
+            }
+            let _e643 = phi_1454_;
+            phi_1455_ = _e643;
+        } else {
+            phi_1455_ = _e471;
+        }
+        let _e645 = phi_1455_;
+        phi_1456_ = _e645;
     }
-    let _e782 = phi_1531_;
-    return _e782;
+    let _e647 = phi_1456_;
+    return _e647;
 }
 
 fn function_() {
-    var phi_198_: bool;
-    var phi_199_: bool;
-    var phi_200_: bool;
-    var phi_201_: bool;
-    var phi_205_: bool;
-    var phi_249_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_253_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_330_: bool;
-    var phi_339_: bool;
-    var phi_348_: bool;
-    var phi_349_: bool;
-    var phi_350_: bool;
-    var phi_351_: bool;
-    var phi_352_: bool;
-    var phi_353_: bool;
-    var phi_354_: bool;
-    var phi_358_: bool;
-    var phi_394_: f32;
-    var phi_399_: f32;
-    var phi_400_: bool;
-    var phi_401_: f32;
-    var phi_402_: bool;
-    var phi_406_: f32;
-    var phi_426_: f32;
-    var phi_431_: f32;
-    var phi_432_: bool;
-    var phi_433_: f32;
-    var phi_434_: bool;
-    var phi_438_: f32;
-    var phi_484_: i32;
-    var phi_489_: i32;
-    var phi_494_: i32;
-    var phi_499_: i32;
-    var phi_508_: i32;
-    var phi_513_: i32;
-    var phi_518_: i32;
-    var phi_523_: i32;
-    var phi_564_: evaluate_Verdict;
-    var phi_565_: evaluate_Verdict;
-    var phi_566_: bool;
-    var phi_567_: evaluate_Verdict;
-    var phi_568_: evaluate_Verdict;
-    var phi_569_: bool;
-    var phi_573_: evaluate_Verdict;
+    var local_1: f32;
+    var phi_230_: bool;
+    var phi_231_: bool;
+    var phi_232_: bool;
+    var phi_233_: bool;
+    var phi_237_: bool;
+    var phi_281_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_285_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_362_: bool;
+    var phi_371_: bool;
+    var phi_380_: bool;
+    var phi_381_: bool;
+    var phi_382_: bool;
+    var phi_383_: bool;
+    var phi_384_: bool;
+    var phi_385_: bool;
+    var phi_386_: bool;
+    var phi_390_: bool;
+    var phi_484_: f32;
+    var phi_487_: f32;
+    var phi_516_: f32;
+    var phi_521_: f32;
+    var phi_522_: bool;
+    var phi_523_: f32;
+    var phi_524_: bool;
+    var phi_528_: f32;
+    var phi_548_: f32;
+    var phi_553_: f32;
+    var phi_554_: bool;
+    var phi_555_: f32;
+    var phi_556_: bool;
+    var phi_560_: f32;
+    var phi_606_: i32;
+    var phi_611_: i32;
+    var phi_616_: i32;
+    var phi_621_: i32;
+    var phi_630_: i32;
+    var phi_635_: i32;
+    var phi_640_: i32;
+    var phi_645_: i32;
+    var phi_734_: evaluate_Verdict;
+    var phi_735_: evaluate_Verdict;
+    var phi_736_: bool;
+    var phi_737_: evaluate_Verdict;
+    var phi_738_: evaluate_Verdict;
+    var phi_739_: bool;
+    var phi_743_: evaluate_Verdict;
 
-    let _e40 = id_1;
-    let _e47 = arrayLength((&map.member));
-    let _e53 = p.member.size[0u];
-    let _e55 = p.member.size[1u];
-    let _e56 = lt_shaders_entry_pixel_index(_e40, _e53, _e55);
-    if (bitcast<i32>(_e56.root) != 0i) {
-        if (_e56.first_primitive < arrayLength((&samples.member))) {
+    let _e37 = id_1;
+    let _e44 = arrayLength((&map.member));
+    let _e50 = p.member.size[0u];
+    let _e52 = p.member.size[1u];
+    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
+    if (bitcast<i32>(_e53.root) != 0i) {
+        if (_e53.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e65 = p.member.light;
-        let _e68 = samples.member[(0u + _e56.first_primitive)].normal[0u];
-        let _e70 = global[0u];
-        if (_e68 == _e70) {
-            let _e73 = samples.member[(0u + _e56.first_primitive)].normal[1u];
-            let _e75 = global[1u];
-            if (_e73 == _e75) {
-                let _e78 = samples.member[(0u + _e56.first_primitive)].normal[2u];
-                let _e80 = global[2u];
-                phi_198_ = (_e78 == _e80);
-                phi_199_ = false;
+        let _e62 = p.member.light;
+        let _e65 = samples.member[(0u + _e53.first_primitive)].normal[0u];
+        let _e67 = global[0u];
+        if (_e65 == _e67) {
+            let _e70 = samples.member[(0u + _e53.first_primitive)].normal[1u];
+            let _e72 = global[1u];
+            if (_e70 == _e72) {
+                let _e75 = samples.member[(0u + _e53.first_primitive)].normal[2u];
+                let _e77 = global[2u];
+                phi_230_ = (_e75 == _e77);
+                phi_231_ = false;
             } else {
-                phi_198_ = bool();
-                phi_199_ = true;
+                phi_230_ = bool();
+                phi_231_ = true;
             }
-            let _e83 = phi_198_;
-            let _e85 = phi_199_;
-            phi_200_ = _e83;
-            phi_201_ = _e85;
+            let _e80 = phi_230_;
+            let _e82 = phi_231_;
+            phi_232_ = _e80;
+            phi_233_ = _e82;
         } else {
-            phi_200_ = bool();
-            phi_201_ = true;
+            phi_232_ = bool();
+            phi_233_ = true;
         }
-        let _e87 = phi_200_;
-        let _e89 = phi_201_;
-        if _e89 {
-            phi_205_ = false;
+        let _e84 = phi_232_;
+        let _e86 = phi_233_;
+        if _e86 {
+            phi_237_ = false;
         } else {
-            phi_205_ = _e87;
+            phi_237_ = _e84;
         }
-        let _e91 = phi_205_;
-        if !(_e91) {
-            let _e94 = samples.member[(0u + _e56.first_primitive)].normal;
-            let _e96 = samples.member[(0u + _e56.first_primitive)].position;
-            if ((((_e94.x * (_e65.x - (_e96.x * _e65.w))) + (_e94.y * (_e65.y - (_e96.y * _e65.w)))) + (_e94.z * (_e65.z - (_e96.z * _e65.w)))) > 0f) {
-                let _e120 = samples.member[(0u + _e56.first_primitive)].flags;
-                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e128.unnamed.visibility, false), _e128.unnamed_1);
-                phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e134.unnamed, ((_e120 & 1u) == 0u));
+        let _e88 = phi_237_;
+        if !(_e88) {
+            let _e91 = samples.member[(0u + _e53.first_primitive)].normal;
+            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
+            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
+                let _e117 = samples.member[(0u + _e53.first_primitive)].flags;
+                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
+                phi_281_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
             } else {
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
-                phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
+                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
+                phi_281_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
             }
-            let _e154 = phi_249_;
-            phi_253_ = _e154;
+            let _e151 = phi_281_;
+            phi_285_ = _e151;
         } else {
-            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
-            phi_253_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
+            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
+            phi_285_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
         }
-        let _e171 = phi_253_;
-        if _e171.unnamed_1 {
-            phi_567_ = evaluate_Verdict(_e171.unnamed.visibility, _e171.unnamed.is_doubted);
-            phi_568_ = evaluate_Verdict();
-            phi_569_ = true;
+        let _e168 = phi_285_;
+        if _e168.unnamed_1 {
+            phi_737_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
+            phi_738_ = evaluate_Verdict();
+            phi_739_ = true;
         } else {
-            let _e179 = samples.member[(0u + _e56.first_primitive)].position;
-            let _e185 = p.member.projection.row_w;
-            let _e196 = ((((_e185.x * _e179.x) + (_e185.y * _e179.y)) + (_e185.z * _e179.z)) + (_e185.w * 1f));
-            let _e198 = p.member.projection.row_x;
-            let _e210 = (((((_e198.x * _e179.x) + (_e198.y * _e179.y)) + (_e198.z * _e179.z)) + (_e198.w * 1f)) / _e196);
-            let _e212 = p.member.projection.row_y;
-            let _e224 = (((((_e212.x * _e179.x) + (_e212.y * _e179.y)) + (_e212.z * _e179.z)) + (_e212.w * 1f)) / _e196);
-            let _e226 = p.member.projection.row_z;
-            let _e237 = ((((_e226.x * _e179.x) + (_e226.y * _e179.y)) + (_e226.z * _e179.z)) + (_e226.w * 1f));
-            if (_e196 > 0f) {
-                if (_e210 >= 0f) {
-                    phi_330_ = (_e210 <= 1f);
+            let _e176 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e182 = p.member.projection.row_w;
+            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
+            let _e195 = p.member.projection.row_x;
+            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
+            let _e209 = p.member.projection.row_y;
+            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
+            let _e223 = p.member.projection.row_z;
+            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
+            if (_e193 > 0f) {
+                if (_e207 >= 0f) {
+                    phi_362_ = (_e207 <= 1f);
                 } else {
-                    phi_330_ = false;
+                    phi_362_ = false;
                 }
-                let _e242 = phi_330_;
-                if _e242 {
-                    if (_e224 >= 0f) {
-                        phi_339_ = (_e224 <= 1f);
+                let _e239 = phi_362_;
+                if _e239 {
+                    if (_e221 >= 0f) {
+                        phi_371_ = (_e221 <= 1f);
                     } else {
-                        phi_339_ = false;
+                        phi_371_ = false;
                     }
-                    let _e246 = phi_339_;
-                    if _e246 {
-                        if (_e237 >= 0f) {
-                            phi_348_ = (_e237 <= 1f);
+                    let _e243 = phi_371_;
+                    if _e243 {
+                        if (_e234 >= 0f) {
+                            phi_380_ = (_e234 <= 1f);
                         } else {
-                            phi_348_ = false;
+                            phi_380_ = false;
                         }
-                        let _e250 = phi_348_;
-                        phi_349_ = _e250;
-                        phi_350_ = false;
+                        let _e247 = phi_380_;
+                        phi_381_ = _e247;
+                        phi_382_ = false;
                     } else {
-                        phi_349_ = bool();
-                        phi_350_ = true;
+                        phi_381_ = bool();
+                        phi_382_ = true;
                     }
-                    let _e252 = phi_349_;
-                    let _e254 = phi_350_;
-                    phi_351_ = _e252;
-                    phi_352_ = _e254;
+                    let _e249 = phi_381_;
+                    let _e251 = phi_382_;
+                    phi_383_ = _e249;
+                    phi_384_ = _e251;
                 } else {
-                    phi_351_ = bool();
-                    phi_352_ = true;
+                    phi_383_ = bool();
+                    phi_384_ = true;
                 }
-                let _e256 = phi_351_;
-                let _e258 = phi_352_;
-                phi_353_ = _e256;
-                phi_354_ = _e258;
+                let _e253 = phi_383_;
+                let _e255 = phi_384_;
+                phi_385_ = _e253;
+                phi_386_ = _e255;
             } else {
-                phi_353_ = bool();
-                phi_354_ = true;
+                phi_385_ = bool();
+                phi_386_ = true;
             }
-            let _e260 = phi_353_;
-            let _e262 = phi_354_;
-            if _e262 {
-                phi_358_ = false;
+            let _e257 = phi_385_;
+            let _e259 = phi_386_;
+            if _e259 {
+                phi_390_ = false;
             } else {
-                phi_358_ = _e260;
+                phi_390_ = _e257;
             }
-            let _e264 = phi_358_;
-            if _e264 {
-                let _e266 = p.member.map_size;
-                let _e267 = f32(_e266);
-                let _e270 = ((_e210 * _e267) - 0.5f);
-                let _e271 = ((_e224 * _e267) - 0.5f);
-                if (_e270 > -8388608f) {
-                    let _e283 = f32(select(0i, select(select(i32(_e270), i32(-2147483648), (_e270 < bitcast<f32>(3472883712u))), 2147483647i, (_e270 > bitcast<f32>(1325400063u))), (_e270 == _e270)));
-                    if (_e283 > _e270) {
-                        phi_394_ = 1f;
+            let _e261 = phi_390_;
+            if _e261 {
+                if (0f > 0f) {
+                    let _e264 = samples.member[(0u + _e53.first_primitive)].normal;
+                    let _e266 = p.member.map_size;
+                    let _e269 = p.member.projection.row_x;
+                    let _e291 = p.member.projection.row_y;
+                    let _e313 = p.member.projection.row_z;
+                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
+                    if (_e340 < 0.002f) {
+                        phi_484_ = _e340;
                     } else {
-                        phi_394_ = 0f;
+                        phi_484_ = 0.002f;
                     }
-                    let _e286 = phi_394_;
-                    if (_e270 < 8388608f) {
-                        phi_399_ = (_e283 - _e286);
-                        phi_400_ = false;
+                    let _e343 = phi_484_;
+                    phi_487_ = (_e234 - (0f * _e343));
+                } else {
+                    phi_487_ = _e234;
+                }
+                let _e347 = phi_487_;
+                let _e349 = p.member.map_size;
+                let _e350 = f32(_e349);
+                let _e353 = ((_e207 * _e350) - 0.5f);
+                let _e354 = ((_e221 * _e350) - 0.5f);
+                if (_e353 > -8388608f) {
+                    let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
+                    if (_e366 > _e353) {
+                        phi_516_ = 1f;
                     } else {
-                        phi_399_ = f32();
-                        phi_400_ = true;
+                        phi_516_ = 0f;
                     }
-                    let _e289 = phi_399_;
-                    let _e291 = phi_400_;
-                    phi_401_ = _e289;
-                    phi_402_ = _e291;
-                } else {
-                    phi_401_ = f32();
-                    phi_402_ = true;
-                }
-                let _e293 = phi_401_;
-                let _e295 = phi_402_;
-                if _e295 {
-                    phi_406_ = _e270;
-                } else {
-                    phi_406_ = _e293;
-                }
-                let _e297 = phi_406_;
-                if (_e271 > -8388608f) {
-                    let _e309 = f32(select(0i, select(select(i32(_e271), i32(-2147483648), (_e271 < bitcast<f32>(3472883712u))), 2147483647i, (_e271 > bitcast<f32>(1325400063u))), (_e271 == _e271)));
-                    if (_e309 > _e271) {
-                        phi_426_ = 1f;
+                    let _e369 = phi_516_;
+                    if (_e353 < 8388608f) {
+                        phi_521_ = (_e366 - _e369);
+                        phi_522_ = false;
                     } else {
-                        phi_426_ = 0f;
+                        phi_521_ = f32();
+                        phi_522_ = true;
                     }
-                    let _e312 = phi_426_;
-                    if (_e271 < 8388608f) {
-                        phi_431_ = (_e309 - _e312);
-                        phi_432_ = false;
+                    let _e372 = phi_521_;
+                    let _e374 = phi_522_;
+                    phi_523_ = _e372;
+                    phi_524_ = _e374;
+                } else {
+                    phi_523_ = f32();
+                    phi_524_ = true;
+                }
+                let _e376 = phi_523_;
+                let _e378 = phi_524_;
+                if _e378 {
+                    phi_528_ = _e353;
+                } else {
+                    phi_528_ = _e376;
+                }
+                let _e380 = phi_528_;
+                if (_e354 > -8388608f) {
+                    let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
+                    if (_e392 > _e354) {
+                        phi_548_ = 1f;
                     } else {
-                        phi_431_ = f32();
-                        phi_432_ = true;
+                        phi_548_ = 0f;
                     }
-                    let _e315 = phi_431_;
-                    let _e317 = phi_432_;
-                    phi_433_ = _e315;
-                    phi_434_ = _e317;
+                    let _e395 = phi_548_;
+                    if (_e354 < 8388608f) {
+                        phi_553_ = (_e392 - _e395);
+                        phi_554_ = false;
+                    } else {
+                        phi_553_ = f32();
+                        phi_554_ = true;
+                    }
+                    let _e398 = phi_553_;
+                    let _e400 = phi_554_;
+                    phi_555_ = _e398;
+                    phi_556_ = _e400;
                 } else {
-                    phi_433_ = f32();
-                    phi_434_ = true;
+                    phi_555_ = f32();
+                    phi_556_ = true;
                 }
-                let _e319 = phi_433_;
-                let _e321 = phi_434_;
-                if _e321 {
-                    phi_438_ = _e271;
+                let _e402 = phi_555_;
+                let _e404 = phi_556_;
+                if _e404 {
+                    phi_560_ = _e354;
                 } else {
-                    phi_438_ = _e319;
+                    phi_560_ = _e402;
                 }
-                let _e323 = phi_438_;
-                let _e324 = (_e270 - _e297);
-                let _e325 = (_e271 - _e323);
-                let _e334 = select(0i, select(select(i32(_e297), i32(-2147483648), (_e297 < bitcast<f32>(3472883712u))), 2147483647i, (_e297 > bitcast<f32>(1325400063u))), (_e297 == _e297));
-                let _e343 = select(0i, select(select(i32(_e323), i32(-2147483648), (_e323 < bitcast<f32>(3472883712u))), 2147483647i, (_e323 > bitcast<f32>(1325400063u))), (_e323 == _e323));
-                let _e354 = p.member.test;
-                let _e355 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e354);
-                let _e357 = p.member.map_size;
-                let _e359 = (bitcast<i32>(_e357) - 1i);
-                if (_e334 > 0i) {
-                    phi_484_ = _e334;
+                let _e406 = phi_560_;
+                let _e407 = (_e353 - _e380);
+                let _e408 = (_e354 - _e406);
+                let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
+                let _e426 = select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406));
+                let _e429 = ((1f - _e407) * (1f - _e408));
+                let _e431 = (_e407 * (1f - _e408));
+                let _e433 = ((1f - _e407) * _e408);
+                let _e434 = (_e407 * _e408);
+                let _e436 = p.member.test;
+                let _e437 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e436);
+                let _e439 = p.member.map_size;
+                local_1 = _e437;
+                let _e441 = (bitcast<i32>(_e439) - 1i);
+                if (_e417 > 0i) {
+                    phi_606_ = _e417;
                 } else {
-                    phi_484_ = 0i;
+                    phi_606_ = 0i;
                 }
-                let _e362 = phi_484_;
-                if (_e343 > 0i) {
-                    phi_489_ = _e343;
+                let _e444 = phi_606_;
+                if (_e426 > 0i) {
+                    phi_611_ = _e426;
                 } else {
-                    phi_489_ = 0i;
+                    phi_611_ = 0i;
                 }
-                let _e365 = phi_489_;
-                if (_e362 < _e359) {
-                    phi_494_ = _e362;
+                let _e447 = phi_611_;
+                if (_e444 < _e441) {
+                    phi_616_ = _e444;
                 } else {
-                    phi_494_ = _e359;
+                    phi_616_ = _e441;
                 }
-                let _e368 = phi_494_;
-                if (_e365 < _e359) {
-                    phi_499_ = _e365;
+                let _e450 = phi_616_;
+                if (_e447 < _e441) {
+                    phi_621_ = _e447;
                 } else {
-                    phi_499_ = _e359;
+                    phi_621_ = _e441;
                 }
-                let _e371 = phi_499_;
-                let _e372 = bitcast<u32>(_e368);
-                let _e374 = (_e334 + 1i);
-                let _e375 = (_e343 + 1i);
-                if (_e374 > 0i) {
-                    phi_508_ = _e374;
+                let _e453 = phi_621_;
+                let _e454 = bitcast<u32>(_e450);
+                let _e456 = (_e417 + 1i);
+                let _e457 = (_e426 + 1i);
+                if (_e456 > 0i) {
+                    phi_630_ = _e456;
                 } else {
-                    phi_508_ = 0i;
+                    phi_630_ = 0i;
                 }
-                let _e378 = phi_508_;
-                if (_e375 > 0i) {
-                    phi_513_ = _e375;
+                let _e460 = phi_630_;
+                if (_e457 > 0i) {
+                    phi_635_ = _e457;
                 } else {
-                    phi_513_ = 0i;
+                    phi_635_ = 0i;
                 }
-                let _e381 = phi_513_;
-                if (_e378 < _e359) {
-                    phi_518_ = _e378;
+                let _e463 = phi_635_;
+                if (_e460 < _e441) {
+                    phi_640_ = _e460;
                 } else {
-                    phi_518_ = _e359;
+                    phi_640_ = _e441;
                 }
-                let _e384 = phi_518_;
-                if (_e381 < _e359) {
-                    phi_523_ = _e381;
+                let _e466 = phi_640_;
+                if (_e463 < _e441) {
+                    phi_645_ = _e463;
                 } else {
-                    phi_523_ = _e359;
+                    phi_645_ = _e441;
                 }
-                let _e387 = phi_523_;
-                let _e388 = bitcast<u32>(_e384);
-                let _e390 = (bitcast<u32>(_e371) * _e357);
-                let _e391 = (bitcast<u32>(_e387) * _e357);
-                let _e392 = (_e390 + _e372);
-                let _e393 = (_e390 + _e388);
-                let _e394 = (_e391 + _e372);
-                let _e395 = (_e391 + _e388);
-                if (_e392 < _e47) {
+                let _e469 = phi_645_;
+                let _e470 = bitcast<u32>(_e466);
+                let _e472 = (bitcast<u32>(_e453) * _e439);
+                let _e473 = (bitcast<u32>(_e469) * _e439);
+                let _e474 = (_e472 + _e454);
+                let _e475 = (_e472 + _e470);
+                let _e476 = (_e473 + _e454);
+                let _e477 = (_e473 + _e470);
+                if (_e474 < _e44) {
                 } else {
                     return;
                 }
-                let _e399 = map.member[(0u + _e392)];
-                if (_e393 < _e47) {
+                let _e481 = map.member[(0u + _e474)];
+                if (_e475 < _e44) {
                 } else {
                     return;
                 }
-                let _e403 = map.member[(0u + _e393)];
-                if (_e394 < _e47) {
+                let _e485 = map.member[(0u + _e475)];
+                if (_e476 < _e44) {
                 } else {
                     return;
                 }
-                let _e407 = map.member[(0u + _e394)];
-                if (_e395 < _e47) {
+                let _e489 = map.member[(0u + _e476)];
+                if (_e477 < _e44) {
                 } else {
                     return;
                 }
-                let _e411 = map.member[(0u + _e395)];
-                let _e413 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(vec4<f32>(_e399, _e403, _e407, _e411), vec4<f32>(((1f - _e324) * (1f - _e325)), (_e324 * (1f - _e325)), ((1f - _e324) * _e325), (_e324 * _e325)), _e237);
-                phi_564_ = evaluate_Verdict(_e413, false);
-                phi_565_ = evaluate_Verdict();
-                phi_566_ = false;
+                let _e493 = map.member[(0u + _e477)];
+                let _e494 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e481);
+                let _e495 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e485);
+                let _e496 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e489);
+                let _e497 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e493);
+                let _e543 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e494.x * _e429) + (_e495.x * _e431)) + (_e496.x * _e433)) + (_e497.x * _e434)), ((((_e494.y * _e429) + (_e495.y * _e431)) + (_e496.y * _e433)) + (_e497.y * _e434)), ((((_e494.z * _e429) + (_e495.z * _e431)) + (_e496.z * _e433)) + (_e497.z * _e434)), ((((_e494.w * _e429) + (_e495.w * _e431)) + (_e496.w * _e433)) + (_e497.w * _e434))), _e347);
+                phi_734_ = evaluate_Verdict(_e543, false);
+                phi_735_ = evaluate_Verdict();
+                phi_736_ = false;
             } else {
-                phi_564_ = evaluate_Verdict();
-                phi_565_ = evaluate_Verdict(1f, false);
-                phi_566_ = true;
+                phi_734_ = evaluate_Verdict();
+                phi_735_ = evaluate_Verdict(1f, false);
+                phi_736_ = true;
             }
-            let _e417 = phi_564_;
-            let _e419 = phi_565_;
-            let _e421 = phi_566_;
-            phi_567_ = _e419;
-            phi_568_ = _e417;
-            phi_569_ = _e421;
+            let _e547 = phi_734_;
+            let _e549 = phi_735_;
+            let _e551 = phi_736_;
+            phi_737_ = _e549;
+            phi_738_ = _e547;
+            phi_739_ = _e551;
         }
-        let _e423 = phi_567_;
-        let _e425 = phi_568_;
-        let _e427 = phi_569_;
-        if _e427 {
-            phi_573_ = _e423;
+        let _e553 = phi_737_;
+        let _e555 = phi_738_;
+        let _e557 = phi_739_;
+        if _e557 {
+            phi_743_ = _e553;
         } else {
-            phi_573_ = _e425;
+            phi_743_ = _e555;
         }
-        let _e429 = phi_573_;
-        if (_e56.first_primitive < arrayLength((&visibility.member))) {
+        let _e559 = phi_743_;
+        if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e56.first_primitive)] = _e429.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e559.visibility;
     }
     return;
 }

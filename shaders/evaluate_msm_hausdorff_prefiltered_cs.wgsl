@@ -77,37 +77,37 @@ var<storage, read_write> visibility: type_22;
 var<storage> map: type_30;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_141_: lt_bvh_traverse_Tree;
-    var phi_142_: bool;
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
-    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_142_: lt_bvh_traverse_Tree;
+    var phi_143_: bool;
+    var phi_144_: lt_bvh_traverse_Tree;
+    var phi_145_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_141_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_142_ = false;
+            phi_142_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_143_ = false;
         } else {
-            phi_141_ = lt_bvh_traverse_Tree();
-            phi_142_ = true;
+            phi_142_ = lt_bvh_traverse_Tree();
+            phi_143_ = true;
         }
-        let _e48 = phi_141_;
-        let _e50 = phi_142_;
-        phi_143_ = _e48;
-        phi_144_ = _e50;
+        let _e49 = phi_142_;
+        let _e51 = phi_143_;
+        phi_144_ = _e49;
+        phi_145_ = _e51;
     } else {
-        phi_143_ = lt_bvh_traverse_Tree();
-        phi_144_ = true;
+        phi_144_ = lt_bvh_traverse_Tree();
+        phi_145_ = true;
     }
-    let _e52 = phi_143_;
-    let _e54 = phi_144_;
-    if _e54 {
-        phi_149_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e53 = phi_144_;
+    let _e55 = phi_145_;
+    if _e55 {
+        phi_150_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_149_ = _e52;
+        phi_150_ = _e53;
     }
-    let _e59 = phi_149_;
-    return lt_bvh_traverse_Tree(_e59.root, _e59.first_primitive);
+    let _e60 = phi_150_;
+    return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -119,1093 +119,1113 @@ fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
-    var phi_1399_: f32;
-    var phi_1400_: f32;
-    var phi_1401_: f32;
-    var phi_1428_: f32;
-    var phi_1429_: f32;
-    var phi_1430_: f32;
-    var phi_1431_: f32;
-    var phi_1432_: bool;
-    var phi_1433_: f32;
-    var phi_1434_: bool;
-    var phi_1462_: f32;
-    var phi_1463_: f32;
-    var phi_1464_: f32;
-    var phi_1465_: f32;
-    var phi_1466_: bool;
-    var phi_1467_: f32;
-    var phi_1468_: bool;
-    var phi_1475_: f32;
-    var phi_1476_: f32;
-    var phi_1477_: f32;
-    var phi_1478_: f32;
+    var phi_920_: f32;
+    var phi_921_: f32;
+    var phi_922_: f32;
+    var phi_949_: f32;
+    var phi_950_: f32;
+    var phi_951_: f32;
+    var phi_952_: f32;
+    var phi_953_: bool;
+    var phi_954_: f32;
+    var phi_955_: bool;
+    var phi_983_: f32;
+    var phi_984_: f32;
+    var phi_985_: f32;
+    var phi_986_: f32;
+    var phi_987_: bool;
+    var phi_988_: f32;
+    var phi_989_: bool;
+    var phi_996_: f32;
+    var phi_997_: f32;
+    var phi_998_: f32;
+    var phi_999_: f32;
 
-    let _e38 = (*param_9).moments;
+    let _e39 = (*param_9).moments;
     if (param_10 < 0.0001f) {
-        phi_1478_ = 1f;
+        phi_999_ = 1f;
     } else {
-        let _e47 = ((_e38.z - ((1f + param_10) * _e38.y)) + (param_10 * _e38.x));
-        let _e56 = (((_e38.w - ((1f + param_10) * _e38.z)) + (param_10 * _e38.y)) / _e47);
-        if (abs(_e47) <= 0.00000047683716f) {
-            let _e70 = (1f - (((_e38.y - (_e38.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
-            if ((bitcast<u32>(_e70) & 2147483647u) > 2139095040u) {
-                phi_1401_ = _e70;
+        let _e48 = ((_e39.z - ((1f + param_10) * _e39.y)) + (param_10 * _e39.x));
+        let _e57 = (((_e39.w - ((1f + param_10) * _e39.z)) + (param_10 * _e39.y)) / _e48);
+        if (abs(_e48) <= 0.00000047683716f) {
+            let _e71 = (1f - (((_e39.y - (_e39.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
+            if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
+                phi_922_ = _e71;
             } else {
-                if (_e70 < 0f) {
-                    phi_1400_ = 0f;
+                if (_e71 < 0f) {
+                    phi_921_ = 0f;
                 } else {
-                    if (_e70 > 1f) {
-                        phi_1399_ = 1f;
+                    if (_e71 > 1f) {
+                        phi_920_ = 1f;
                     } else {
-                        phi_1399_ = _e70;
+                        phi_920_ = _e71;
                     }
-                    let _e77 = phi_1399_;
-                    phi_1400_ = _e77;
+                    let _e78 = phi_920_;
+                    phi_921_ = _e78;
                 }
-                let _e79 = phi_1400_;
-                phi_1401_ = _e79;
+                let _e80 = phi_921_;
+                phi_922_ = _e80;
             }
-            let _e81 = phi_1401_;
-            phi_1477_ = _e81;
+            let _e82 = phi_922_;
+            phi_998_ = _e82;
         } else {
-            if (_e56 > 0f) {
-                if (_e56 < param_10) {
-                    let _e84 = lt_math_hausdorff_cubic_mass(_e38, 0f, _e56, param_10, 1f);
-                    let _e86 = lt_math_hausdorff_cubic_mass(_e38, _e56, 0f, param_10, 1f);
-                    let _e87 = ((1f - _e84) - _e86);
-                    if ((bitcast<u32>(_e87) & 2147483647u) > 2139095040u) {
-                        phi_1430_ = _e87;
+            if (_e57 > 0f) {
+                if (_e57 < param_10) {
+                    let _e85 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_10, 1f);
+                    let _e87 = lt_math_hausdorff_cubic_mass(_e39, _e57, 0f, param_10, 1f);
+                    let _e88 = ((1f - _e85) - _e87);
+                    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
+                        phi_951_ = _e88;
                     } else {
-                        if (_e87 < 0f) {
-                            phi_1429_ = 0f;
+                        if (_e88 < 0f) {
+                            phi_950_ = 0f;
                         } else {
-                            if (_e87 > 1f) {
-                                phi_1428_ = 1f;
+                            if (_e88 > 1f) {
+                                phi_949_ = 1f;
                             } else {
-                                phi_1428_ = _e87;
+                                phi_949_ = _e88;
                             }
-                            let _e94 = phi_1428_;
-                            phi_1429_ = _e94;
+                            let _e95 = phi_949_;
+                            phi_950_ = _e95;
                         }
-                        let _e96 = phi_1429_;
-                        phi_1430_ = _e96;
+                        let _e97 = phi_950_;
+                        phi_951_ = _e97;
                     }
-                    let _e98 = phi_1430_;
-                    phi_1431_ = _e98;
-                    phi_1432_ = false;
+                    let _e99 = phi_951_;
+                    phi_952_ = _e99;
+                    phi_953_ = false;
                 } else {
-                    phi_1431_ = f32();
-                    phi_1432_ = true;
+                    phi_952_ = f32();
+                    phi_953_ = true;
                 }
-                let _e100 = phi_1431_;
-                let _e102 = phi_1432_;
-                phi_1433_ = _e100;
-                phi_1434_ = _e102;
+                let _e101 = phi_952_;
+                let _e103 = phi_953_;
+                phi_954_ = _e101;
+                phi_955_ = _e103;
             } else {
-                phi_1433_ = f32();
-                phi_1434_ = true;
+                phi_954_ = f32();
+                phi_955_ = true;
             }
-            let _e104 = phi_1433_;
-            let _e106 = phi_1434_;
-            if _e106 {
-                if (_e56 > param_10) {
-                    if (_e56 < 1f) {
-                        let _e109 = lt_math_hausdorff_cubic_mass(_e38, 0f, _e56, param_10, 1f);
-                        let _e110 = (1f - _e109);
-                        if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                            phi_1464_ = _e110;
+            let _e105 = phi_954_;
+            let _e107 = phi_955_;
+            if _e107 {
+                if (_e57 > param_10) {
+                    if (_e57 < 1f) {
+                        let _e110 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_10, 1f);
+                        let _e111 = (1f - _e110);
+                        if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
+                            phi_985_ = _e111;
                         } else {
-                            if (_e110 < 0f) {
-                                phi_1463_ = 0f;
+                            if (_e111 < 0f) {
+                                phi_984_ = 0f;
                             } else {
-                                if (_e110 > 1f) {
-                                    phi_1462_ = 1f;
+                                if (_e111 > 1f) {
+                                    phi_983_ = 1f;
                                 } else {
-                                    phi_1462_ = _e110;
+                                    phi_983_ = _e111;
                                 }
-                                let _e117 = phi_1462_;
-                                phi_1463_ = _e117;
+                                let _e118 = phi_983_;
+                                phi_984_ = _e118;
                             }
-                            let _e119 = phi_1463_;
-                            phi_1464_ = _e119;
+                            let _e120 = phi_984_;
+                            phi_985_ = _e120;
                         }
-                        let _e121 = phi_1464_;
-                        phi_1465_ = _e121;
-                        phi_1466_ = false;
+                        let _e122 = phi_985_;
+                        phi_986_ = _e122;
+                        phi_987_ = false;
                     } else {
-                        phi_1465_ = f32();
-                        phi_1466_ = true;
+                        phi_986_ = f32();
+                        phi_987_ = true;
                     }
-                    let _e123 = phi_1465_;
-                    let _e125 = phi_1466_;
-                    phi_1467_ = _e123;
-                    phi_1468_ = _e125;
+                    let _e124 = phi_986_;
+                    let _e126 = phi_987_;
+                    phi_988_ = _e124;
+                    phi_989_ = _e126;
                 } else {
-                    phi_1467_ = f32();
-                    phi_1468_ = true;
+                    phi_988_ = f32();
+                    phi_989_ = true;
                 }
-                let _e127 = phi_1467_;
-                let _e129 = phi_1468_;
-                if _e129 {
-                    phi_1475_ = bitcast<f32>((bitcast<u32>(_e56) | 2143289344u));
+                let _e128 = phi_988_;
+                let _e130 = phi_989_;
+                if _e130 {
+                    phi_996_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
                 } else {
-                    phi_1475_ = _e127;
+                    phi_996_ = _e128;
                 }
-                let _e134 = phi_1475_;
-                phi_1476_ = _e134;
+                let _e135 = phi_996_;
+                phi_997_ = _e135;
             } else {
-                phi_1476_ = _e104;
+                phi_997_ = _e105;
             }
-            let _e136 = phi_1476_;
-            phi_1477_ = _e136;
+            let _e137 = phi_997_;
+            phi_998_ = _e137;
         }
-        let _e138 = phi_1477_;
-        phi_1478_ = _e138;
+        let _e139 = phi_998_;
+        phi_999_ = _e139;
     }
-    let _e140 = phi_1478_;
-    return _e140;
+    let _e141 = phi_999_;
+    return _e141;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_11: ptr<function, f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
     var local: hankel_HankelFactors;
-    var phi_686_: f32;
-    var phi_687_: f32;
-    var phi_688_: f32;
-    var phi_700_: bool;
-    var phi_715_: bool;
-    var phi_740_: f32;
-    var phi_741_: f32;
-    var phi_742_: f32;
-    var phi_743_: f32;
-    var phi_744_: bool;
-    var phi_745_: f32;
-    var phi_746_: bool;
-    var phi_802_: vec2<f32>;
-    var phi_840_: f32;
+    var phi_207_: f32;
+    var phi_208_: f32;
+    var phi_209_: f32;
+    var phi_221_: bool;
+    var phi_236_: bool;
+    var phi_261_: f32;
+    var phi_262_: f32;
+    var phi_263_: f32;
+    var phi_264_: f32;
+    var phi_265_: bool;
+    var phi_266_: f32;
+    var phi_267_: bool;
+    var phi_323_: vec2<f32>;
+    var phi_361_: f32;
+    var phi_362_: f32;
+    var phi_363_: f32;
+    var phi_396_: f32;
+    var phi_397_: f32;
+    var phi_398_: f32;
+    var phi_402_: f32;
+    var phi_403_: f32;
+    var phi_404_: f32;
+    var phi_405_: f32;
+    var phi_458_: vec2<f32>;
+    var phi_480_: bool;
+    var phi_505_: f32;
+    var phi_506_: f32;
+    var phi_507_: f32;
+    var phi_508_: f32;
+    var phi_509_: bool;
+    var phi_510_: f32;
+    var phi_511_: bool;
+    var phi_567_: vec2<f32>;
+    var phi_605_: f32;
+    var phi_606_: f32;
+    var phi_607_: f32;
+    var phi_640_: f32;
+    var phi_641_: f32;
+    var phi_642_: f32;
+    var phi_646_: f32;
+    var phi_647_: f32;
+    var phi_648_: f32;
+    var phi_649_: f32;
+    var phi_650_: f32;
+    var phi_651_: bool;
+    var phi_652_: f32;
+    var phi_653_: bool;
+    var phi_675_: bool;
+    var phi_700_: f32;
+    var phi_701_: f32;
+    var phi_702_: f32;
+    var phi_703_: f32;
+    var phi_704_: bool;
+    var phi_705_: f32;
+    var phi_706_: bool;
+    var phi_762_: vec2<f32>;
+    var phi_800_: f32;
+    var phi_801_: f32;
+    var phi_802_: f32;
+    var phi_835_: f32;
+    var phi_836_: f32;
+    var phi_837_: f32;
     var phi_841_: f32;
     var phi_842_: f32;
-    var phi_875_: f32;
-    var phi_876_: f32;
-    var phi_877_: f32;
-    var phi_881_: f32;
-    var phi_882_: f32;
-    var phi_883_: f32;
-    var phi_884_: f32;
-    var phi_937_: vec2<f32>;
-    var phi_959_: bool;
-    var phi_984_: f32;
-    var phi_985_: f32;
-    var phi_986_: f32;
-    var phi_987_: f32;
-    var phi_988_: bool;
-    var phi_989_: f32;
-    var phi_990_: bool;
-    var phi_1046_: vec2<f32>;
-    var phi_1084_: f32;
-    var phi_1085_: f32;
-    var phi_1086_: f32;
-    var phi_1119_: f32;
-    var phi_1120_: f32;
-    var phi_1121_: f32;
-    var phi_1125_: f32;
-    var phi_1126_: f32;
-    var phi_1127_: f32;
-    var phi_1128_: f32;
-    var phi_1129_: f32;
-    var phi_1130_: bool;
-    var phi_1131_: f32;
-    var phi_1132_: bool;
-    var phi_1154_: bool;
-    var phi_1179_: f32;
-    var phi_1180_: f32;
-    var phi_1181_: f32;
-    var phi_1182_: f32;
-    var phi_1183_: bool;
-    var phi_1184_: f32;
-    var phi_1185_: bool;
-    var phi_1241_: vec2<f32>;
-    var phi_1279_: f32;
-    var phi_1280_: f32;
-    var phi_1281_: f32;
-    var phi_1314_: f32;
-    var phi_1315_: f32;
-    var phi_1316_: f32;
-    var phi_1320_: f32;
-    var phi_1321_: f32;
-    var phi_1322_: f32;
-    var phi_1323_: f32;
-    var phi_1334_: bool;
-    var phi_1338_: f32;
-    var phi_1339_: f32;
-    var phi_1340_: f32;
-    var phi_1341_: f32;
+    var phi_843_: f32;
+    var phi_844_: f32;
+    var phi_855_: bool;
+    var phi_859_: f32;
+    var phi_860_: f32;
+    var phi_861_: f32;
+    var phi_862_: f32;
 
-    let _e39 = (*param_11);
-    let _e40 = (1f - _e39);
-    let _e49 = (0.5f * _e39);
-    let _e50 = ((param_12.x * _e40) + _e49);
-    let _e51 = ((param_12.y * _e40) + _e49);
-    let _e52 = ((param_12.z * _e40) + _e49);
-    let _e53 = ((param_12.w * _e40) + _e49);
-    let _e56 = (_e51 - (_e50 * _e50));
-    let _e58 = (_e52 - (_e50 * _e51));
-    let _e64 = hankel_HankelFactors(vec4<f32>(_e50, _e51, _e52, _e53), _e56, _e58, (((_e53 - (_e51 * _e51)) * _e56) - (_e58 * _e58)));
-    local = hankel_HankelFactors(_e64.moments, _e64.d22_, _e64.l32_d22_, _e64.d33_d22_);
+    let _e40 = (*param_11);
+    let _e41 = (1f - _e40);
+    let _e50 = (0.5f * _e40);
+    let _e51 = ((param_12.x * _e41) + _e50);
+    let _e52 = ((param_12.y * _e41) + _e50);
+    let _e53 = ((param_12.z * _e41) + _e50);
+    let _e54 = ((param_12.w * _e41) + _e50);
+    let _e57 = (_e52 - (_e51 * _e51));
+    let _e59 = (_e53 - (_e51 * _e52));
+    let _e65 = hankel_HankelFactors(vec4<f32>(_e51, _e52, _e53, _e54), _e57, _e59, (((_e54 - (_e52 * _e52)) * _e57) - (_e59 * _e59)));
+    local = hankel_HankelFactors(_e65.moments, _e65.d22_, _e65.l32_d22_, _e65.d33_d22_);
     if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_688_ = param_13;
+        phi_209_ = param_13;
     } else {
         if (param_13 < 0f) {
-            phi_687_ = 0f;
+            phi_208_ = 0f;
         } else {
             if (param_13 > 1f) {
-                phi_686_ = 1f;
+                phi_207_ = 1f;
             } else {
-                phi_686_ = param_13;
+                phi_207_ = param_13;
             }
-            let _e76 = phi_686_;
-            phi_687_ = _e76;
+            let _e77 = phi_207_;
+            phi_208_ = _e77;
         }
-        let _e78 = phi_687_;
-        phi_688_ = _e78;
+        let _e79 = phi_208_;
+        phi_209_ = _e79;
     }
-    let _e80 = phi_688_;
-    let _e83 = local.moments[0u];
-    let _e86 = local.moments[3u];
-    if (_e83 == _e86) {
-        let _e90 = local.moments[0u];
-        phi_700_ = (_e90 > 0.5f);
+    let _e81 = phi_209_;
+    let _e84 = local.moments[0u];
+    let _e87 = local.moments[3u];
+    if (_e84 == _e87) {
+        let _e91 = local.moments[0u];
+        phi_221_ = (_e91 > 0.5f);
     } else {
-        phi_700_ = false;
+        phi_221_ = false;
     }
-    let _e93 = phi_700_;
-    if _e93 {
-        let _e96 = local.moments[0u];
-        let _e99 = local.moments[3u];
-        if (_e96 == _e99) {
-            let _e103 = local.moments[0u];
-            phi_715_ = (_e103 > 0.5f);
+    let _e94 = phi_221_;
+    if _e94 {
+        let _e97 = local.moments[0u];
+        let _e100 = local.moments[3u];
+        if (_e97 == _e100) {
+            let _e104 = local.moments[0u];
+            phi_236_ = (_e104 > 0.5f);
         } else {
-            phi_715_ = false;
+            phi_236_ = false;
         }
-        let _e106 = phi_715_;
-        if _e106 {
-            if (_e80 > 0f) {
-                let _e109 = local.moments;
-                if ((bitcast<u32>(_e109.x) & 2147483647u) > 2139095040u) {
-                    phi_742_ = _e109.x;
+        let _e107 = phi_236_;
+        if _e107 {
+            if (_e81 > 0f) {
+                let _e110 = local.moments;
+                if ((bitcast<u32>(_e110.x) & 2147483647u) > 2139095040u) {
+                    phi_263_ = _e110.x;
                 } else {
-                    if (_e109.x < 0f) {
-                        phi_741_ = 0f;
+                    if (_e110.x < 0f) {
+                        phi_262_ = 0f;
                     } else {
-                        if (_e109.x > 1f) {
-                            phi_740_ = 1f;
+                        if (_e110.x > 1f) {
+                            phi_261_ = 1f;
                         } else {
-                            phi_740_ = _e109.x;
+                            phi_261_ = _e110.x;
                         }
-                        let _e117 = phi_740_;
-                        phi_741_ = _e117;
+                        let _e118 = phi_261_;
+                        phi_262_ = _e118;
                     }
-                    let _e119 = phi_741_;
-                    phi_742_ = _e119;
+                    let _e120 = phi_262_;
+                    phi_263_ = _e120;
                 }
-                let _e121 = phi_742_;
-                phi_743_ = _e121;
-                phi_744_ = false;
+                let _e122 = phi_263_;
+                phi_264_ = _e122;
+                phi_265_ = false;
             } else {
-                phi_743_ = f32();
-                phi_744_ = true;
+                phi_264_ = f32();
+                phi_265_ = true;
             }
-            let _e123 = phi_743_;
-            let _e125 = phi_744_;
-            phi_745_ = _e123;
-            phi_746_ = _e125;
+            let _e124 = phi_264_;
+            let _e126 = phi_265_;
+            phi_266_ = _e124;
+            phi_267_ = _e126;
         } else {
-            phi_745_ = f32();
-            phi_746_ = true;
+            phi_266_ = f32();
+            phi_267_ = true;
         }
-        let _e127 = phi_745_;
-        let _e129 = phi_746_;
-        if _e129 {
-            let _e132 = local.moments[0u];
-            let _e135 = local.moments[1u];
-            let _e143 = local.l32_d22_;
-            let _e145 = local.d22_;
-            let _e146 = (_e143 / _e145);
-            let _e147 = (_e80 - _e132);
-            let _e153 = local.d22_;
-            let _e156 = local.d33_d22_;
-            let _e157 = (((((_e80 * _e80) - _e135) - (_e146 * _e147)) * _e153) / _e156);
-            let _e159 = local.d22_;
-            let _e162 = ((_e147 / _e159) - (_e146 * _e157));
-            let _e168 = ((0.5f * _e162) / _e157);
-            let _e171 = ((_e168 * _e168) - (((1f - (_e162 * _e132)) - (_e157 * _e135)) / _e157));
-            if (_e171 >= 0f) {
-                let _e173 = sqrt(_e171);
-                phi_802_ = vec2<f32>((-(_e168) - _e173), (-(_e168) + _e173));
+        let _e128 = phi_266_;
+        let _e130 = phi_267_;
+        if _e130 {
+            let _e133 = local.moments[0u];
+            let _e136 = local.moments[1u];
+            let _e144 = local.l32_d22_;
+            let _e146 = local.d22_;
+            let _e147 = (_e144 / _e146);
+            let _e148 = (_e81 - _e133);
+            let _e154 = local.d22_;
+            let _e157 = local.d33_d22_;
+            let _e158 = (((((_e81 * _e81) - _e136) - (_e147 * _e148)) * _e154) / _e157);
+            let _e160 = local.d22_;
+            let _e163 = ((_e148 / _e160) - (_e147 * _e158));
+            let _e169 = ((0.5f * _e163) / _e158);
+            let _e172 = ((_e169 * _e169) - (((1f - (_e163 * _e133)) - (_e158 * _e136)) / _e158));
+            if (_e172 >= 0f) {
+                let _e174 = sqrt(_e172);
+                phi_323_ = vec2<f32>((-(_e169) - _e174), (-(_e169) + _e174));
             } else {
-                phi_802_ = vec2(bitcast<f32>((bitcast<u32>(_e171) | 2143289344u)));
+                phi_323_ = vec2(bitcast<f32>((bitcast<u32>(_e172) | 2143289344u)));
             }
-            let _e184 = phi_802_;
-            if (_e80 <= _e184.x) {
-                phi_883_ = 1f;
+            let _e185 = phi_323_;
+            if (_e81 <= _e185.x) {
+                phi_404_ = 1f;
             } else {
-                if (_e80 > _e184.y) {
-                    let _e190 = local.moments;
-                    let _e201 = (((_e190.y - (_e190.x * (_e184.x + _e184.y))) + (_e184.x * _e184.y)) / ((_e80 - _e184.x) * (_e80 - _e184.y)));
-                    if ((bitcast<u32>(_e201) & 2147483647u) > 2139095040u) {
-                        phi_842_ = _e201;
+                if (_e81 > _e185.y) {
+                    let _e191 = local.moments;
+                    let _e202 = (((_e191.y - (_e191.x * (_e185.x + _e185.y))) + (_e185.x * _e185.y)) / ((_e81 - _e185.x) * (_e81 - _e185.y)));
+                    if ((bitcast<u32>(_e202) & 2147483647u) > 2139095040u) {
+                        phi_363_ = _e202;
                     } else {
-                        if (_e201 < 0f) {
-                            phi_841_ = 0f;
+                        if (_e202 < 0f) {
+                            phi_362_ = 0f;
                         } else {
-                            if (_e201 > 1f) {
-                                phi_840_ = 1f;
+                            if (_e202 > 1f) {
+                                phi_361_ = 1f;
                             } else {
-                                phi_840_ = _e201;
+                                phi_361_ = _e202;
                             }
-                            let _e208 = phi_840_;
-                            phi_841_ = _e208;
+                            let _e209 = phi_361_;
+                            phi_362_ = _e209;
                         }
-                        let _e210 = phi_841_;
-                        phi_842_ = _e210;
+                        let _e211 = phi_362_;
+                        phi_363_ = _e211;
                     }
-                    let _e212 = phi_842_;
-                    phi_882_ = _e212;
+                    let _e213 = phi_363_;
+                    phi_403_ = _e213;
                 } else {
-                    if (_e80 > _e184.x) {
-                        let _e215 = local.moments;
-                        let _e227 = (1f - (((_e215.y - (_e215.x * (_e80 + _e184.y))) + (_e80 * _e184.y)) / ((_e184.x - _e80) * (_e184.x - _e184.y))));
-                        if ((bitcast<u32>(_e227) & 2147483647u) > 2139095040u) {
-                            phi_877_ = _e227;
+                    if (_e81 > _e185.x) {
+                        let _e216 = local.moments;
+                        let _e228 = (1f - (((_e216.y - (_e216.x * (_e81 + _e185.y))) + (_e81 * _e185.y)) / ((_e185.x - _e81) * (_e185.x - _e185.y))));
+                        if ((bitcast<u32>(_e228) & 2147483647u) > 2139095040u) {
+                            phi_398_ = _e228;
                         } else {
-                            if (_e227 < 0f) {
-                                phi_876_ = 0f;
+                            if (_e228 < 0f) {
+                                phi_397_ = 0f;
                             } else {
-                                if (_e227 > 1f) {
-                                    phi_875_ = 1f;
+                                if (_e228 > 1f) {
+                                    phi_396_ = 1f;
                                 } else {
-                                    phi_875_ = _e227;
+                                    phi_396_ = _e228;
                                 }
-                                let _e234 = phi_875_;
-                                phi_876_ = _e234;
+                                let _e235 = phi_396_;
+                                phi_397_ = _e235;
                             }
-                            let _e236 = phi_876_;
-                            phi_877_ = _e236;
+                            let _e237 = phi_397_;
+                            phi_398_ = _e237;
                         }
-                        let _e238 = phi_877_;
-                        phi_881_ = _e238;
+                        let _e239 = phi_398_;
+                        phi_402_ = _e239;
                     } else {
-                        phi_881_ = bitcast<f32>((bitcast<u32>(_e184.x) | 2143289344u));
+                        phi_402_ = bitcast<f32>((bitcast<u32>(_e185.x) | 2143289344u));
                     }
-                    let _e243 = phi_881_;
-                    phi_882_ = _e243;
+                    let _e244 = phi_402_;
+                    phi_403_ = _e244;
                 }
-                let _e245 = phi_882_;
-                phi_883_ = _e245;
+                let _e246 = phi_403_;
+                phi_404_ = _e246;
             }
-            let _e247 = phi_883_;
-            phi_884_ = _e247;
+            let _e248 = phi_404_;
+            phi_405_ = _e248;
         } else {
-            phi_884_ = _e127;
+            phi_405_ = _e128;
         }
-        let _e249 = phi_884_;
-        phi_1341_ = _e249;
+        let _e250 = phi_405_;
+        phi_862_ = _e250;
     } else {
-        let _e252 = local.moments[0u];
-        let _e255 = local.moments[1u];
-        let _e263 = local.l32_d22_;
-        let _e265 = local.d22_;
-        let _e266 = (_e263 / _e265);
-        let _e267 = (_e80 - _e252);
-        let _e273 = local.d22_;
-        let _e276 = local.d33_d22_;
-        let _e277 = (((((_e80 * _e80) - _e255) - (_e266 * _e267)) * _e273) / _e276);
-        let _e279 = local.d22_;
-        let _e282 = ((_e267 / _e279) - (_e266 * _e277));
-        let _e288 = ((0.5f * _e282) / _e277);
-        let _e291 = ((_e288 * _e288) - (((1f - (_e282 * _e252)) - (_e277 * _e255)) / _e277));
-        if (_e291 >= 0f) {
-            let _e293 = sqrt(_e291);
-            phi_937_ = vec2<f32>((-(_e288) - _e293), (-(_e288) + _e293));
+        let _e253 = local.moments[0u];
+        let _e256 = local.moments[1u];
+        let _e264 = local.l32_d22_;
+        let _e266 = local.d22_;
+        let _e267 = (_e264 / _e266);
+        let _e268 = (_e81 - _e253);
+        let _e274 = local.d22_;
+        let _e277 = local.d33_d22_;
+        let _e278 = (((((_e81 * _e81) - _e256) - (_e267 * _e268)) * _e274) / _e277);
+        let _e280 = local.d22_;
+        let _e283 = ((_e268 / _e280) - (_e267 * _e278));
+        let _e289 = ((0.5f * _e283) / _e278);
+        let _e292 = ((_e289 * _e289) - (((1f - (_e283 * _e253)) - (_e278 * _e256)) / _e278));
+        if (_e292 >= 0f) {
+            let _e294 = sqrt(_e292);
+            phi_458_ = vec2<f32>((-(_e289) - _e294), (-(_e289) + _e294));
         } else {
-            phi_937_ = vec2(bitcast<f32>((bitcast<u32>(_e291) | 2143289344u)));
+            phi_458_ = vec2(bitcast<f32>((bitcast<u32>(_e292) | 2143289344u)));
         }
-        let _e304 = phi_937_;
-        if (_e304.x >= 0f) {
-            if (_e304.y <= 1f) {
-                let _e311 = local.moments[0u];
-                let _e314 = local.moments[3u];
-                if (_e311 == _e314) {
-                    let _e318 = local.moments[0u];
-                    phi_959_ = (_e318 > 0.5f);
+        let _e305 = phi_458_;
+        if (_e305.x >= 0f) {
+            if (_e305.y <= 1f) {
+                let _e312 = local.moments[0u];
+                let _e315 = local.moments[3u];
+                if (_e312 == _e315) {
+                    let _e319 = local.moments[0u];
+                    phi_480_ = (_e319 > 0.5f);
                 } else {
-                    phi_959_ = false;
+                    phi_480_ = false;
                 }
-                let _e321 = phi_959_;
-                if _e321 {
-                    if (_e80 > 0f) {
-                        let _e324 = local.moments;
-                        if ((bitcast<u32>(_e324.x) & 2147483647u) > 2139095040u) {
-                            phi_986_ = _e324.x;
+                let _e322 = phi_480_;
+                if _e322 {
+                    if (_e81 > 0f) {
+                        let _e325 = local.moments;
+                        if ((bitcast<u32>(_e325.x) & 2147483647u) > 2139095040u) {
+                            phi_507_ = _e325.x;
                         } else {
-                            if (_e324.x < 0f) {
-                                phi_985_ = 0f;
+                            if (_e325.x < 0f) {
+                                phi_506_ = 0f;
                             } else {
-                                if (_e324.x > 1f) {
-                                    phi_984_ = 1f;
+                                if (_e325.x > 1f) {
+                                    phi_505_ = 1f;
                                 } else {
-                                    phi_984_ = _e324.x;
+                                    phi_505_ = _e325.x;
                                 }
-                                let _e332 = phi_984_;
-                                phi_985_ = _e332;
+                                let _e333 = phi_505_;
+                                phi_506_ = _e333;
                             }
-                            let _e334 = phi_985_;
-                            phi_986_ = _e334;
+                            let _e335 = phi_506_;
+                            phi_507_ = _e335;
                         }
-                        let _e336 = phi_986_;
-                        phi_987_ = _e336;
-                        phi_988_ = false;
+                        let _e337 = phi_507_;
+                        phi_508_ = _e337;
+                        phi_509_ = false;
                     } else {
-                        phi_987_ = f32();
-                        phi_988_ = true;
+                        phi_508_ = f32();
+                        phi_509_ = true;
                     }
-                    let _e338 = phi_987_;
-                    let _e340 = phi_988_;
-                    phi_989_ = _e338;
-                    phi_990_ = _e340;
+                    let _e339 = phi_508_;
+                    let _e341 = phi_509_;
+                    phi_510_ = _e339;
+                    phi_511_ = _e341;
                 } else {
-                    phi_989_ = f32();
-                    phi_990_ = true;
+                    phi_510_ = f32();
+                    phi_511_ = true;
                 }
-                let _e342 = phi_989_;
-                let _e344 = phi_990_;
-                if _e344 {
-                    let _e347 = local.moments[0u];
-                    let _e350 = local.moments[1u];
-                    let _e358 = local.l32_d22_;
-                    let _e360 = local.d22_;
-                    let _e361 = (_e358 / _e360);
-                    let _e362 = (_e80 - _e347);
-                    let _e368 = local.d22_;
-                    let _e371 = local.d33_d22_;
-                    let _e372 = (((((_e80 * _e80) - _e350) - (_e361 * _e362)) * _e368) / _e371);
-                    let _e374 = local.d22_;
-                    let _e377 = ((_e362 / _e374) - (_e361 * _e372));
-                    let _e383 = ((0.5f * _e377) / _e372);
-                    let _e386 = ((_e383 * _e383) - (((1f - (_e377 * _e347)) - (_e372 * _e350)) / _e372));
-                    if (_e386 >= 0f) {
-                        let _e388 = sqrt(_e386);
-                        phi_1046_ = vec2<f32>((-(_e383) - _e388), (-(_e383) + _e388));
+                let _e343 = phi_510_;
+                let _e345 = phi_511_;
+                if _e345 {
+                    let _e348 = local.moments[0u];
+                    let _e351 = local.moments[1u];
+                    let _e359 = local.l32_d22_;
+                    let _e361 = local.d22_;
+                    let _e362 = (_e359 / _e361);
+                    let _e363 = (_e81 - _e348);
+                    let _e369 = local.d22_;
+                    let _e372 = local.d33_d22_;
+                    let _e373 = (((((_e81 * _e81) - _e351) - (_e362 * _e363)) * _e369) / _e372);
+                    let _e375 = local.d22_;
+                    let _e378 = ((_e363 / _e375) - (_e362 * _e373));
+                    let _e384 = ((0.5f * _e378) / _e373);
+                    let _e387 = ((_e384 * _e384) - (((1f - (_e378 * _e348)) - (_e373 * _e351)) / _e373));
+                    if (_e387 >= 0f) {
+                        let _e389 = sqrt(_e387);
+                        phi_567_ = vec2<f32>((-(_e384) - _e389), (-(_e384) + _e389));
                     } else {
-                        phi_1046_ = vec2(bitcast<f32>((bitcast<u32>(_e386) | 2143289344u)));
+                        phi_567_ = vec2(bitcast<f32>((bitcast<u32>(_e387) | 2143289344u)));
                     }
-                    let _e399 = phi_1046_;
-                    if (_e80 <= _e399.x) {
-                        phi_1127_ = 1f;
+                    let _e400 = phi_567_;
+                    if (_e81 <= _e400.x) {
+                        phi_648_ = 1f;
                     } else {
-                        if (_e80 > _e399.y) {
-                            let _e405 = local.moments;
-                            let _e416 = (((_e405.y - (_e405.x * (_e399.x + _e399.y))) + (_e399.x * _e399.y)) / ((_e80 - _e399.x) * (_e80 - _e399.y)));
-                            if ((bitcast<u32>(_e416) & 2147483647u) > 2139095040u) {
-                                phi_1086_ = _e416;
+                        if (_e81 > _e400.y) {
+                            let _e406 = local.moments;
+                            let _e417 = (((_e406.y - (_e406.x * (_e400.x + _e400.y))) + (_e400.x * _e400.y)) / ((_e81 - _e400.x) * (_e81 - _e400.y)));
+                            if ((bitcast<u32>(_e417) & 2147483647u) > 2139095040u) {
+                                phi_607_ = _e417;
                             } else {
-                                if (_e416 < 0f) {
-                                    phi_1085_ = 0f;
+                                if (_e417 < 0f) {
+                                    phi_606_ = 0f;
                                 } else {
-                                    if (_e416 > 1f) {
-                                        phi_1084_ = 1f;
+                                    if (_e417 > 1f) {
+                                        phi_605_ = 1f;
                                     } else {
-                                        phi_1084_ = _e416;
+                                        phi_605_ = _e417;
                                     }
-                                    let _e423 = phi_1084_;
-                                    phi_1085_ = _e423;
+                                    let _e424 = phi_605_;
+                                    phi_606_ = _e424;
                                 }
-                                let _e425 = phi_1085_;
-                                phi_1086_ = _e425;
+                                let _e426 = phi_606_;
+                                phi_607_ = _e426;
                             }
-                            let _e427 = phi_1086_;
-                            phi_1126_ = _e427;
+                            let _e428 = phi_607_;
+                            phi_647_ = _e428;
                         } else {
-                            if (_e80 > _e399.x) {
-                                let _e430 = local.moments;
-                                let _e442 = (1f - (((_e430.y - (_e430.x * (_e80 + _e399.y))) + (_e80 * _e399.y)) / ((_e399.x - _e80) * (_e399.x - _e399.y))));
-                                if ((bitcast<u32>(_e442) & 2147483647u) > 2139095040u) {
-                                    phi_1121_ = _e442;
+                            if (_e81 > _e400.x) {
+                                let _e431 = local.moments;
+                                let _e443 = (1f - (((_e431.y - (_e431.x * (_e81 + _e400.y))) + (_e81 * _e400.y)) / ((_e400.x - _e81) * (_e400.x - _e400.y))));
+                                if ((bitcast<u32>(_e443) & 2147483647u) > 2139095040u) {
+                                    phi_642_ = _e443;
                                 } else {
-                                    if (_e442 < 0f) {
-                                        phi_1120_ = 0f;
+                                    if (_e443 < 0f) {
+                                        phi_641_ = 0f;
                                     } else {
-                                        if (_e442 > 1f) {
-                                            phi_1119_ = 1f;
+                                        if (_e443 > 1f) {
+                                            phi_640_ = 1f;
                                         } else {
-                                            phi_1119_ = _e442;
+                                            phi_640_ = _e443;
                                         }
-                                        let _e449 = phi_1119_;
-                                        phi_1120_ = _e449;
+                                        let _e450 = phi_640_;
+                                        phi_641_ = _e450;
                                     }
-                                    let _e451 = phi_1120_;
-                                    phi_1121_ = _e451;
+                                    let _e452 = phi_641_;
+                                    phi_642_ = _e452;
                                 }
-                                let _e453 = phi_1121_;
-                                phi_1125_ = _e453;
+                                let _e454 = phi_642_;
+                                phi_646_ = _e454;
                             } else {
-                                phi_1125_ = bitcast<f32>((bitcast<u32>(_e399.x) | 2143289344u));
+                                phi_646_ = bitcast<f32>((bitcast<u32>(_e400.x) | 2143289344u));
                             }
-                            let _e458 = phi_1125_;
-                            phi_1126_ = _e458;
+                            let _e459 = phi_646_;
+                            phi_647_ = _e459;
                         }
-                        let _e460 = phi_1126_;
-                        phi_1127_ = _e460;
+                        let _e461 = phi_647_;
+                        phi_648_ = _e461;
                     }
-                    let _e462 = phi_1127_;
-                    phi_1128_ = _e462;
+                    let _e463 = phi_648_;
+                    phi_649_ = _e463;
                 } else {
-                    phi_1128_ = _e342;
+                    phi_649_ = _e343;
                 }
-                let _e464 = phi_1128_;
-                phi_1129_ = _e464;
-                phi_1130_ = false;
+                let _e465 = phi_649_;
+                phi_650_ = _e465;
+                phi_651_ = false;
             } else {
-                phi_1129_ = f32();
-                phi_1130_ = true;
+                phi_650_ = f32();
+                phi_651_ = true;
             }
-            let _e466 = phi_1129_;
-            let _e468 = phi_1130_;
-            phi_1131_ = _e466;
-            phi_1132_ = _e468;
+            let _e467 = phi_650_;
+            let _e469 = phi_651_;
+            phi_652_ = _e467;
+            phi_653_ = _e469;
         } else {
-            phi_1131_ = f32();
-            phi_1132_ = true;
+            phi_652_ = f32();
+            phi_653_ = true;
         }
-        let _e470 = phi_1131_;
-        let _e472 = phi_1132_;
-        if _e472 {
-            if ((bitcast<u32>(_e304.x) & 2147483647u) > 2139095040u) {
-                phi_1339_ = _e304.x;
+        let _e471 = phi_652_;
+        let _e473 = phi_653_;
+        if _e473 {
+            if ((bitcast<u32>(_e305.x) & 2147483647u) > 2139095040u) {
+                phi_860_ = _e305.x;
             } else {
-                let _e476 = lt_math_hausdorff_endpoint_upper_bound((&local), _e80);
-                let _e479 = local.moments[0u];
-                let _e482 = local.moments[3u];
-                if (_e479 == _e482) {
-                    let _e486 = local.moments[0u];
-                    phi_1154_ = (_e486 > 0.5f);
+                let _e477 = lt_math_hausdorff_endpoint_upper_bound((&local), _e81);
+                let _e480 = local.moments[0u];
+                let _e483 = local.moments[3u];
+                if (_e480 == _e483) {
+                    let _e487 = local.moments[0u];
+                    phi_675_ = (_e487 > 0.5f);
                 } else {
-                    phi_1154_ = false;
+                    phi_675_ = false;
                 }
-                let _e489 = phi_1154_;
-                if _e489 {
-                    if (_e80 > 0f) {
-                        let _e492 = local.moments;
-                        if ((bitcast<u32>(_e492.x) & 2147483647u) > 2139095040u) {
-                            phi_1181_ = _e492.x;
+                let _e490 = phi_675_;
+                if _e490 {
+                    if (_e81 > 0f) {
+                        let _e493 = local.moments;
+                        if ((bitcast<u32>(_e493.x) & 2147483647u) > 2139095040u) {
+                            phi_702_ = _e493.x;
                         } else {
-                            if (_e492.x < 0f) {
-                                phi_1180_ = 0f;
+                            if (_e493.x < 0f) {
+                                phi_701_ = 0f;
                             } else {
-                                if (_e492.x > 1f) {
-                                    phi_1179_ = 1f;
+                                if (_e493.x > 1f) {
+                                    phi_700_ = 1f;
                                 } else {
-                                    phi_1179_ = _e492.x;
+                                    phi_700_ = _e493.x;
                                 }
-                                let _e500 = phi_1179_;
-                                phi_1180_ = _e500;
+                                let _e501 = phi_700_;
+                                phi_701_ = _e501;
                             }
-                            let _e502 = phi_1180_;
-                            phi_1181_ = _e502;
+                            let _e503 = phi_701_;
+                            phi_702_ = _e503;
                         }
-                        let _e504 = phi_1181_;
-                        phi_1182_ = _e504;
-                        phi_1183_ = false;
+                        let _e505 = phi_702_;
+                        phi_703_ = _e505;
+                        phi_704_ = false;
                     } else {
-                        phi_1182_ = f32();
-                        phi_1183_ = true;
+                        phi_703_ = f32();
+                        phi_704_ = true;
                     }
-                    let _e506 = phi_1182_;
-                    let _e508 = phi_1183_;
-                    phi_1184_ = _e506;
-                    phi_1185_ = _e508;
+                    let _e507 = phi_703_;
+                    let _e509 = phi_704_;
+                    phi_705_ = _e507;
+                    phi_706_ = _e509;
                 } else {
-                    phi_1184_ = f32();
-                    phi_1185_ = true;
+                    phi_705_ = f32();
+                    phi_706_ = true;
                 }
-                let _e510 = phi_1184_;
-                let _e512 = phi_1185_;
-                if _e512 {
-                    let _e515 = local.moments[0u];
-                    let _e518 = local.moments[1u];
-                    let _e526 = local.l32_d22_;
-                    let _e528 = local.d22_;
-                    let _e529 = (_e526 / _e528);
-                    let _e530 = (_e80 - _e515);
-                    let _e536 = local.d22_;
-                    let _e539 = local.d33_d22_;
-                    let _e540 = (((((_e80 * _e80) - _e518) - (_e529 * _e530)) * _e536) / _e539);
-                    let _e542 = local.d22_;
-                    let _e545 = ((_e530 / _e542) - (_e529 * _e540));
-                    let _e551 = ((0.5f * _e545) / _e540);
-                    let _e554 = ((_e551 * _e551) - (((1f - (_e545 * _e515)) - (_e540 * _e518)) / _e540));
-                    if (_e554 >= 0f) {
-                        let _e556 = sqrt(_e554);
-                        phi_1241_ = vec2<f32>((-(_e551) - _e556), (-(_e551) + _e556));
+                let _e511 = phi_705_;
+                let _e513 = phi_706_;
+                if _e513 {
+                    let _e516 = local.moments[0u];
+                    let _e519 = local.moments[1u];
+                    let _e527 = local.l32_d22_;
+                    let _e529 = local.d22_;
+                    let _e530 = (_e527 / _e529);
+                    let _e531 = (_e81 - _e516);
+                    let _e537 = local.d22_;
+                    let _e540 = local.d33_d22_;
+                    let _e541 = (((((_e81 * _e81) - _e519) - (_e530 * _e531)) * _e537) / _e540);
+                    let _e543 = local.d22_;
+                    let _e546 = ((_e531 / _e543) - (_e530 * _e541));
+                    let _e552 = ((0.5f * _e546) / _e541);
+                    let _e555 = ((_e552 * _e552) - (((1f - (_e546 * _e516)) - (_e541 * _e519)) / _e541));
+                    if (_e555 >= 0f) {
+                        let _e557 = sqrt(_e555);
+                        phi_762_ = vec2<f32>((-(_e552) - _e557), (-(_e552) + _e557));
                     } else {
-                        phi_1241_ = vec2(bitcast<f32>((bitcast<u32>(_e554) | 2143289344u)));
+                        phi_762_ = vec2(bitcast<f32>((bitcast<u32>(_e555) | 2143289344u)));
                     }
-                    let _e567 = phi_1241_;
-                    if (_e80 <= _e567.x) {
-                        phi_1322_ = 1f;
+                    let _e568 = phi_762_;
+                    if (_e81 <= _e568.x) {
+                        phi_843_ = 1f;
                     } else {
-                        if (_e80 > _e567.y) {
-                            let _e573 = local.moments;
-                            let _e584 = (((_e573.y - (_e573.x * (_e567.x + _e567.y))) + (_e567.x * _e567.y)) / ((_e80 - _e567.x) * (_e80 - _e567.y)));
-                            if ((bitcast<u32>(_e584) & 2147483647u) > 2139095040u) {
-                                phi_1281_ = _e584;
+                        if (_e81 > _e568.y) {
+                            let _e574 = local.moments;
+                            let _e585 = (((_e574.y - (_e574.x * (_e568.x + _e568.y))) + (_e568.x * _e568.y)) / ((_e81 - _e568.x) * (_e81 - _e568.y)));
+                            if ((bitcast<u32>(_e585) & 2147483647u) > 2139095040u) {
+                                phi_802_ = _e585;
                             } else {
-                                if (_e584 < 0f) {
-                                    phi_1280_ = 0f;
+                                if (_e585 < 0f) {
+                                    phi_801_ = 0f;
                                 } else {
-                                    if (_e584 > 1f) {
-                                        phi_1279_ = 1f;
+                                    if (_e585 > 1f) {
+                                        phi_800_ = 1f;
                                     } else {
-                                        phi_1279_ = _e584;
+                                        phi_800_ = _e585;
                                     }
-                                    let _e591 = phi_1279_;
-                                    phi_1280_ = _e591;
+                                    let _e592 = phi_800_;
+                                    phi_801_ = _e592;
                                 }
-                                let _e593 = phi_1280_;
-                                phi_1281_ = _e593;
+                                let _e594 = phi_801_;
+                                phi_802_ = _e594;
                             }
-                            let _e595 = phi_1281_;
-                            phi_1321_ = _e595;
+                            let _e596 = phi_802_;
+                            phi_842_ = _e596;
                         } else {
-                            if (_e80 > _e567.x) {
-                                let _e598 = local.moments;
-                                let _e610 = (1f - (((_e598.y - (_e598.x * (_e80 + _e567.y))) + (_e80 * _e567.y)) / ((_e567.x - _e80) * (_e567.x - _e567.y))));
-                                if ((bitcast<u32>(_e610) & 2147483647u) > 2139095040u) {
-                                    phi_1316_ = _e610;
+                            if (_e81 > _e568.x) {
+                                let _e599 = local.moments;
+                                let _e611 = (1f - (((_e599.y - (_e599.x * (_e81 + _e568.y))) + (_e81 * _e568.y)) / ((_e568.x - _e81) * (_e568.x - _e568.y))));
+                                if ((bitcast<u32>(_e611) & 2147483647u) > 2139095040u) {
+                                    phi_837_ = _e611;
                                 } else {
-                                    if (_e610 < 0f) {
-                                        phi_1315_ = 0f;
+                                    if (_e611 < 0f) {
+                                        phi_836_ = 0f;
                                     } else {
-                                        if (_e610 > 1f) {
-                                            phi_1314_ = 1f;
+                                        if (_e611 > 1f) {
+                                            phi_835_ = 1f;
                                         } else {
-                                            phi_1314_ = _e610;
+                                            phi_835_ = _e611;
                                         }
-                                        let _e617 = phi_1314_;
-                                        phi_1315_ = _e617;
+                                        let _e618 = phi_835_;
+                                        phi_836_ = _e618;
                                     }
-                                    let _e619 = phi_1315_;
-                                    phi_1316_ = _e619;
+                                    let _e620 = phi_836_;
+                                    phi_837_ = _e620;
                                 }
-                                let _e621 = phi_1316_;
-                                phi_1320_ = _e621;
+                                let _e622 = phi_837_;
+                                phi_841_ = _e622;
                             } else {
-                                phi_1320_ = bitcast<f32>((bitcast<u32>(_e567.x) | 2143289344u));
+                                phi_841_ = bitcast<f32>((bitcast<u32>(_e568.x) | 2143289344u));
                             }
-                            let _e626 = phi_1320_;
-                            phi_1321_ = _e626;
+                            let _e627 = phi_841_;
+                            phi_842_ = _e627;
                         }
-                        let _e628 = phi_1321_;
-                        phi_1322_ = _e628;
+                        let _e629 = phi_842_;
+                        phi_843_ = _e629;
                     }
-                    let _e630 = phi_1322_;
-                    phi_1323_ = _e630;
+                    let _e631 = phi_843_;
+                    phi_844_ = _e631;
                 } else {
-                    phi_1323_ = _e510;
+                    phi_844_ = _e511;
                 }
-                let _e632 = phi_1323_;
-                if ((bitcast<u32>(_e632) & 2147483647u) > 2139095040u) {
-                    phi_1334_ = true;
+                let _e633 = phi_844_;
+                if ((bitcast<u32>(_e633) & 2147483647u) > 2139095040u) {
+                    phi_855_ = true;
                 } else {
-                    let _e636 = (_e632 < _e476);
-                    if _e636 {
+                    let _e637 = (_e633 < _e477);
+                    if _e637 {
                     }
-                    phi_1334_ = _e636;
+                    phi_855_ = _e637;
                 }
-                let _e638 = phi_1334_;
-                if _e638 {
-                    phi_1338_ = _e632;
+                let _e639 = phi_855_;
+                if _e639 {
+                    phi_859_ = _e633;
                 } else {
-                    phi_1338_ = _e476;
+                    phi_859_ = _e477;
                 }
-                let _e640 = phi_1338_;
-                phi_1339_ = _e640;
+                let _e641 = phi_859_;
+                phi_860_ = _e641;
             }
-            let _e642 = phi_1339_;
-            phi_1340_ = _e642;
+            let _e643 = phi_860_;
+            phi_861_ = _e643;
         } else {
-            phi_1340_ = _e470;
+            phi_861_ = _e471;
         }
-        let _e644 = phi_1340_;
-        phi_1341_ = _e644;
+        let _e645 = phi_861_;
+        phi_862_ = _e645;
     }
-    let _e646 = phi_1341_;
-    return _e646;
+    let _e647 = phi_862_;
+    return _e647;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_209_: bool;
-    var phi_210_: bool;
-    var phi_211_: bool;
-    var phi_212_: bool;
-    var phi_216_: bool;
-    var phi_260_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_264_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_341_: bool;
-    var phi_350_: bool;
-    var phi_359_: bool;
-    var phi_360_: bool;
-    var phi_361_: bool;
-    var phi_362_: bool;
-    var phi_363_: bool;
-    var phi_364_: bool;
-    var phi_365_: bool;
-    var phi_369_: bool;
-    var phi_405_: f32;
-    var phi_410_: f32;
-    var phi_411_: bool;
-    var phi_412_: f32;
-    var phi_413_: bool;
-    var phi_417_: f32;
-    var phi_437_: f32;
-    var phi_442_: f32;
-    var phi_443_: bool;
-    var phi_444_: f32;
-    var phi_445_: bool;
-    var phi_449_: f32;
-    var phi_495_: i32;
-    var phi_500_: i32;
-    var phi_505_: i32;
-    var phi_510_: i32;
-    var phi_519_: i32;
-    var phi_524_: i32;
-    var phi_529_: i32;
-    var phi_534_: i32;
-    var phi_619_: evaluate_Verdict;
-    var phi_620_: evaluate_Verdict;
-    var phi_621_: bool;
-    var phi_622_: evaluate_Verdict;
-    var phi_623_: evaluate_Verdict;
-    var phi_624_: bool;
-    var phi_628_: evaluate_Verdict;
+    var phi_1082_: bool;
+    var phi_1083_: bool;
+    var phi_1084_: bool;
+    var phi_1085_: bool;
+    var phi_1089_: bool;
+    var phi_1133_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1137_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1214_: bool;
+    var phi_1223_: bool;
+    var phi_1232_: bool;
+    var phi_1233_: bool;
+    var phi_1234_: bool;
+    var phi_1235_: bool;
+    var phi_1236_: bool;
+    var phi_1237_: bool;
+    var phi_1238_: bool;
+    var phi_1242_: bool;
+    var phi_1336_: f32;
+    var phi_1339_: f32;
+    var phi_1368_: f32;
+    var phi_1373_: f32;
+    var phi_1374_: bool;
+    var phi_1375_: f32;
+    var phi_1376_: bool;
+    var phi_1380_: f32;
+    var phi_1400_: f32;
+    var phi_1405_: f32;
+    var phi_1406_: bool;
+    var phi_1407_: f32;
+    var phi_1408_: bool;
+    var phi_1412_: f32;
+    var phi_1458_: i32;
+    var phi_1463_: i32;
+    var phi_1468_: i32;
+    var phi_1473_: i32;
+    var phi_1482_: i32;
+    var phi_1487_: i32;
+    var phi_1492_: i32;
+    var phi_1497_: i32;
+    var phi_1582_: evaluate_Verdict;
+    var phi_1583_: evaluate_Verdict;
+    var phi_1584_: bool;
+    var phi_1585_: evaluate_Verdict;
+    var phi_1586_: evaluate_Verdict;
+    var phi_1587_: bool;
+    var phi_1591_: evaluate_Verdict;
 
-    let _e36 = id_1;
-    let _e43 = arrayLength((&map.member));
-    let _e49 = p.member.size[0u];
-    let _e51 = p.member.size[1u];
-    let _e52 = lt_shaders_entry_pixel_index(_e36, _e49, _e51);
-    if (bitcast<i32>(_e52.root) != 0i) {
-        if (_e52.first_primitive < arrayLength((&samples.member))) {
+    let _e37 = id_1;
+    let _e44 = arrayLength((&map.member));
+    let _e50 = p.member.size[0u];
+    let _e52 = p.member.size[1u];
+    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
+    if (bitcast<i32>(_e53.root) != 0i) {
+        if (_e53.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e61 = p.member.light;
-        let _e64 = samples.member[(0u + _e52.first_primitive)].normal[0u];
-        let _e66 = global[0u];
-        if (_e64 == _e66) {
-            let _e69 = samples.member[(0u + _e52.first_primitive)].normal[1u];
-            let _e71 = global[1u];
-            if (_e69 == _e71) {
-                let _e74 = samples.member[(0u + _e52.first_primitive)].normal[2u];
-                let _e76 = global[2u];
-                phi_209_ = (_e74 == _e76);
-                phi_210_ = false;
+        let _e62 = p.member.light;
+        let _e65 = samples.member[(0u + _e53.first_primitive)].normal[0u];
+        let _e67 = global[0u];
+        if (_e65 == _e67) {
+            let _e70 = samples.member[(0u + _e53.first_primitive)].normal[1u];
+            let _e72 = global[1u];
+            if (_e70 == _e72) {
+                let _e75 = samples.member[(0u + _e53.first_primitive)].normal[2u];
+                let _e77 = global[2u];
+                phi_1082_ = (_e75 == _e77);
+                phi_1083_ = false;
             } else {
-                phi_209_ = bool();
-                phi_210_ = true;
+                phi_1082_ = bool();
+                phi_1083_ = true;
             }
-            let _e79 = phi_209_;
-            let _e81 = phi_210_;
-            phi_211_ = _e79;
-            phi_212_ = _e81;
+            let _e80 = phi_1082_;
+            let _e82 = phi_1083_;
+            phi_1084_ = _e80;
+            phi_1085_ = _e82;
         } else {
-            phi_211_ = bool();
-            phi_212_ = true;
+            phi_1084_ = bool();
+            phi_1085_ = true;
         }
-        let _e83 = phi_211_;
-        let _e85 = phi_212_;
-        if _e85 {
-            phi_216_ = false;
+        let _e84 = phi_1084_;
+        let _e86 = phi_1085_;
+        if _e86 {
+            phi_1089_ = false;
         } else {
-            phi_216_ = _e83;
+            phi_1089_ = _e84;
         }
-        let _e87 = phi_216_;
-        if !(_e87) {
-            let _e90 = samples.member[(0u + _e52.first_primitive)].normal;
-            let _e92 = samples.member[(0u + _e52.first_primitive)].position;
-            if ((((_e90.x * (_e61.x - (_e92.x * _e61.w))) + (_e90.y * (_e61.y - (_e92.y * _e61.w)))) + (_e90.z * (_e61.z - (_e92.z * _e61.w)))) > 0f) {
-                let _e116 = samples.member[(0u + _e52.first_primitive)].flags;
-                let _e124 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e130 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e124.unnamed.visibility, false), _e124.unnamed_1);
-                phi_260_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e130.unnamed, ((_e116 & 1u) == 0u));
+        let _e88 = phi_1089_;
+        if !(_e88) {
+            let _e91 = samples.member[(0u + _e53.first_primitive)].normal;
+            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
+            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
+                let _e117 = samples.member[(0u + _e53.first_primitive)].flags;
+                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
+                phi_1133_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
             } else {
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
-                phi_260_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, true);
+                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
+                phi_1133_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
             }
-            let _e150 = phi_260_;
-            phi_264_ = _e150;
+            let _e151 = phi_1133_;
+            phi_1137_ = _e151;
         } else {
-            let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
-            phi_264_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
+            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
+            phi_1137_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
         }
-        let _e167 = phi_264_;
-        if _e167.unnamed_1 {
-            phi_622_ = evaluate_Verdict(_e167.unnamed.visibility, _e167.unnamed.is_doubted);
-            phi_623_ = evaluate_Verdict();
-            phi_624_ = true;
+        let _e168 = phi_1137_;
+        if _e168.unnamed_1 {
+            phi_1585_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
+            phi_1586_ = evaluate_Verdict();
+            phi_1587_ = true;
         } else {
-            let _e175 = samples.member[(0u + _e52.first_primitive)].position;
-            let _e181 = p.member.projection.row_w;
-            let _e192 = ((((_e181.x * _e175.x) + (_e181.y * _e175.y)) + (_e181.z * _e175.z)) + (_e181.w * 1f));
-            let _e194 = p.member.projection.row_x;
-            let _e206 = (((((_e194.x * _e175.x) + (_e194.y * _e175.y)) + (_e194.z * _e175.z)) + (_e194.w * 1f)) / _e192);
-            let _e208 = p.member.projection.row_y;
-            let _e220 = (((((_e208.x * _e175.x) + (_e208.y * _e175.y)) + (_e208.z * _e175.z)) + (_e208.w * 1f)) / _e192);
-            let _e222 = p.member.projection.row_z;
-            let _e233 = ((((_e222.x * _e175.x) + (_e222.y * _e175.y)) + (_e222.z * _e175.z)) + (_e222.w * 1f));
-            if (_e192 > 0f) {
-                if (_e206 >= 0f) {
-                    phi_341_ = (_e206 <= 1f);
+            let _e176 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e182 = p.member.projection.row_w;
+            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
+            let _e195 = p.member.projection.row_x;
+            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
+            let _e209 = p.member.projection.row_y;
+            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
+            let _e223 = p.member.projection.row_z;
+            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
+            if (_e193 > 0f) {
+                if (_e207 >= 0f) {
+                    phi_1214_ = (_e207 <= 1f);
                 } else {
-                    phi_341_ = false;
+                    phi_1214_ = false;
                 }
-                let _e238 = phi_341_;
-                if _e238 {
-                    if (_e220 >= 0f) {
-                        phi_350_ = (_e220 <= 1f);
+                let _e239 = phi_1214_;
+                if _e239 {
+                    if (_e221 >= 0f) {
+                        phi_1223_ = (_e221 <= 1f);
                     } else {
-                        phi_350_ = false;
+                        phi_1223_ = false;
                     }
-                    let _e242 = phi_350_;
-                    if _e242 {
-                        if (_e233 >= 0f) {
-                            phi_359_ = (_e233 <= 1f);
+                    let _e243 = phi_1223_;
+                    if _e243 {
+                        if (_e234 >= 0f) {
+                            phi_1232_ = (_e234 <= 1f);
                         } else {
-                            phi_359_ = false;
+                            phi_1232_ = false;
                         }
-                        let _e246 = phi_359_;
-                        phi_360_ = _e246;
-                        phi_361_ = false;
+                        let _e247 = phi_1232_;
+                        phi_1233_ = _e247;
+                        phi_1234_ = false;
                     } else {
-                        phi_360_ = bool();
-                        phi_361_ = true;
+                        phi_1233_ = bool();
+                        phi_1234_ = true;
                     }
-                    let _e248 = phi_360_;
-                    let _e250 = phi_361_;
-                    phi_362_ = _e248;
-                    phi_363_ = _e250;
+                    let _e249 = phi_1233_;
+                    let _e251 = phi_1234_;
+                    phi_1235_ = _e249;
+                    phi_1236_ = _e251;
                 } else {
-                    phi_362_ = bool();
-                    phi_363_ = true;
+                    phi_1235_ = bool();
+                    phi_1236_ = true;
                 }
-                let _e252 = phi_362_;
-                let _e254 = phi_363_;
-                phi_364_ = _e252;
-                phi_365_ = _e254;
+                let _e253 = phi_1235_;
+                let _e255 = phi_1236_;
+                phi_1237_ = _e253;
+                phi_1238_ = _e255;
             } else {
-                phi_364_ = bool();
-                phi_365_ = true;
+                phi_1237_ = bool();
+                phi_1238_ = true;
             }
-            let _e256 = phi_364_;
-            let _e258 = phi_365_;
-            if _e258 {
-                phi_369_ = false;
+            let _e257 = phi_1237_;
+            let _e259 = phi_1238_;
+            if _e259 {
+                phi_1242_ = false;
             } else {
-                phi_369_ = _e256;
+                phi_1242_ = _e257;
             }
-            let _e260 = phi_369_;
-            if _e260 {
-                let _e262 = p.member.map_size;
-                let _e263 = f32(_e262);
-                let _e266 = ((_e206 * _e263) - 0.5f);
-                let _e267 = ((_e220 * _e263) - 0.5f);
-                if (_e266 > -8388608f) {
-                    let _e279 = f32(select(0i, select(select(i32(_e266), i32(-2147483648), (_e266 < bitcast<f32>(3472883712u))), 2147483647i, (_e266 > bitcast<f32>(1325400063u))), (_e266 == _e266)));
-                    if (_e279 > _e266) {
-                        phi_405_ = 1f;
+            let _e261 = phi_1242_;
+            if _e261 {
+                if (0f > 0f) {
+                    let _e264 = samples.member[(0u + _e53.first_primitive)].normal;
+                    let _e266 = p.member.map_size;
+                    let _e269 = p.member.projection.row_x;
+                    let _e291 = p.member.projection.row_y;
+                    let _e313 = p.member.projection.row_z;
+                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
+                    if (_e340 < 0.002f) {
+                        phi_1336_ = _e340;
                     } else {
-                        phi_405_ = 0f;
+                        phi_1336_ = 0.002f;
                     }
-                    let _e282 = phi_405_;
-                    if (_e266 < 8388608f) {
-                        phi_410_ = (_e279 - _e282);
-                        phi_411_ = false;
+                    let _e343 = phi_1336_;
+                    phi_1339_ = (_e234 - (0f * _e343));
+                } else {
+                    phi_1339_ = _e234;
+                }
+                let _e347 = phi_1339_;
+                let _e349 = p.member.map_size;
+                let _e350 = f32(_e349);
+                let _e353 = ((_e207 * _e350) - 0.5f);
+                let _e354 = ((_e221 * _e350) - 0.5f);
+                if (_e353 > -8388608f) {
+                    let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
+                    if (_e366 > _e353) {
+                        phi_1368_ = 1f;
                     } else {
-                        phi_410_ = f32();
-                        phi_411_ = true;
+                        phi_1368_ = 0f;
                     }
-                    let _e285 = phi_410_;
-                    let _e287 = phi_411_;
-                    phi_412_ = _e285;
-                    phi_413_ = _e287;
-                } else {
-                    phi_412_ = f32();
-                    phi_413_ = true;
-                }
-                let _e289 = phi_412_;
-                let _e291 = phi_413_;
-                if _e291 {
-                    phi_417_ = _e266;
-                } else {
-                    phi_417_ = _e289;
-                }
-                let _e293 = phi_417_;
-                if (_e267 > -8388608f) {
-                    let _e305 = f32(select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)));
-                    if (_e305 > _e267) {
-                        phi_437_ = 1f;
+                    let _e369 = phi_1368_;
+                    if (_e353 < 8388608f) {
+                        phi_1373_ = (_e366 - _e369);
+                        phi_1374_ = false;
                     } else {
-                        phi_437_ = 0f;
+                        phi_1373_ = f32();
+                        phi_1374_ = true;
                     }
-                    let _e308 = phi_437_;
-                    if (_e267 < 8388608f) {
-                        phi_442_ = (_e305 - _e308);
-                        phi_443_ = false;
+                    let _e372 = phi_1373_;
+                    let _e374 = phi_1374_;
+                    phi_1375_ = _e372;
+                    phi_1376_ = _e374;
+                } else {
+                    phi_1375_ = f32();
+                    phi_1376_ = true;
+                }
+                let _e376 = phi_1375_;
+                let _e378 = phi_1376_;
+                if _e378 {
+                    phi_1380_ = _e353;
+                } else {
+                    phi_1380_ = _e376;
+                }
+                let _e380 = phi_1380_;
+                if (_e354 > -8388608f) {
+                    let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
+                    if (_e392 > _e354) {
+                        phi_1400_ = 1f;
                     } else {
-                        phi_442_ = f32();
-                        phi_443_ = true;
+                        phi_1400_ = 0f;
                     }
-                    let _e311 = phi_442_;
-                    let _e313 = phi_443_;
-                    phi_444_ = _e311;
-                    phi_445_ = _e313;
+                    let _e395 = phi_1400_;
+                    if (_e354 < 8388608f) {
+                        phi_1405_ = (_e392 - _e395);
+                        phi_1406_ = false;
+                    } else {
+                        phi_1405_ = f32();
+                        phi_1406_ = true;
+                    }
+                    let _e398 = phi_1405_;
+                    let _e400 = phi_1406_;
+                    phi_1407_ = _e398;
+                    phi_1408_ = _e400;
                 } else {
-                    phi_444_ = f32();
-                    phi_445_ = true;
+                    phi_1407_ = f32();
+                    phi_1408_ = true;
                 }
-                let _e315 = phi_444_;
-                let _e317 = phi_445_;
-                if _e317 {
-                    phi_449_ = _e267;
+                let _e402 = phi_1407_;
+                let _e404 = phi_1408_;
+                if _e404 {
+                    phi_1412_ = _e354;
                 } else {
-                    phi_449_ = _e315;
+                    phi_1412_ = _e402;
                 }
-                let _e319 = phi_449_;
-                let _e320 = (_e266 - _e293);
-                let _e321 = (_e267 - _e319);
-                let _e330 = select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < bitcast<f32>(3472883712u))), 2147483647i, (_e293 > bitcast<f32>(1325400063u))), (_e293 == _e293));
-                let _e339 = select(0i, select(select(i32(_e319), i32(-2147483648), (_e319 < bitcast<f32>(3472883712u))), 2147483647i, (_e319 > bitcast<f32>(1325400063u))), (_e319 == _e319));
-                let _e342 = ((1f - _e320) * (1f - _e321));
-                let _e344 = (_e320 * (1f - _e321));
-                let _e346 = ((1f - _e320) * _e321);
-                let _e347 = (_e320 * _e321);
-                let _e349 = p.member.test;
-                let _e350 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e349);
-                let _e352 = p.member.map_size;
-                local_1 = _e350;
-                let _e354 = (bitcast<i32>(_e352) - 1i);
-                if (_e330 > 0i) {
-                    phi_495_ = _e330;
+                let _e406 = phi_1412_;
+                let _e407 = (_e353 - _e380);
+                let _e408 = (_e354 - _e406);
+                let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
+                let _e426 = select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406));
+                let _e429 = ((1f - _e407) * (1f - _e408));
+                let _e431 = (_e407 * (1f - _e408));
+                let _e433 = ((1f - _e407) * _e408);
+                let _e434 = (_e407 * _e408);
+                let _e436 = p.member.test;
+                let _e437 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e436);
+                let _e439 = p.member.map_size;
+                local_1 = _e437;
+                let _e441 = (bitcast<i32>(_e439) - 1i);
+                if (_e417 > 0i) {
+                    phi_1458_ = _e417;
                 } else {
-                    phi_495_ = 0i;
+                    phi_1458_ = 0i;
                 }
-                let _e357 = phi_495_;
-                if (_e339 > 0i) {
-                    phi_500_ = _e339;
+                let _e444 = phi_1458_;
+                if (_e426 > 0i) {
+                    phi_1463_ = _e426;
                 } else {
-                    phi_500_ = 0i;
+                    phi_1463_ = 0i;
                 }
-                let _e360 = phi_500_;
-                if (_e357 < _e354) {
-                    phi_505_ = _e357;
+                let _e447 = phi_1463_;
+                if (_e444 < _e441) {
+                    phi_1468_ = _e444;
                 } else {
-                    phi_505_ = _e354;
+                    phi_1468_ = _e441;
                 }
-                let _e363 = phi_505_;
-                if (_e360 < _e354) {
-                    phi_510_ = _e360;
+                let _e450 = phi_1468_;
+                if (_e447 < _e441) {
+                    phi_1473_ = _e447;
                 } else {
-                    phi_510_ = _e354;
+                    phi_1473_ = _e441;
                 }
-                let _e366 = phi_510_;
-                let _e367 = bitcast<u32>(_e363);
-                let _e369 = (_e330 + 1i);
-                let _e370 = (_e339 + 1i);
-                if (_e369 > 0i) {
-                    phi_519_ = _e369;
+                let _e453 = phi_1473_;
+                let _e454 = bitcast<u32>(_e450);
+                let _e456 = (_e417 + 1i);
+                let _e457 = (_e426 + 1i);
+                if (_e456 > 0i) {
+                    phi_1482_ = _e456;
                 } else {
-                    phi_519_ = 0i;
+                    phi_1482_ = 0i;
                 }
-                let _e373 = phi_519_;
-                if (_e370 > 0i) {
-                    phi_524_ = _e370;
+                let _e460 = phi_1482_;
+                if (_e457 > 0i) {
+                    phi_1487_ = _e457;
                 } else {
-                    phi_524_ = 0i;
+                    phi_1487_ = 0i;
                 }
-                let _e376 = phi_524_;
-                if (_e373 < _e354) {
-                    phi_529_ = _e373;
+                let _e463 = phi_1487_;
+                if (_e460 < _e441) {
+                    phi_1492_ = _e460;
                 } else {
-                    phi_529_ = _e354;
+                    phi_1492_ = _e441;
                 }
-                let _e379 = phi_529_;
-                if (_e376 < _e354) {
-                    phi_534_ = _e376;
+                let _e466 = phi_1492_;
+                if (_e463 < _e441) {
+                    phi_1497_ = _e463;
                 } else {
-                    phi_534_ = _e354;
+                    phi_1497_ = _e441;
                 }
-                let _e382 = phi_534_;
-                let _e383 = bitcast<u32>(_e379);
-                let _e385 = (bitcast<u32>(_e366) * _e352);
-                let _e386 = (bitcast<u32>(_e382) * _e352);
-                let _e387 = (_e385 + _e367);
-                let _e388 = (_e385 + _e383);
-                let _e389 = (_e386 + _e367);
-                let _e390 = (_e386 + _e383);
-                if (_e387 < _e43) {
+                let _e469 = phi_1497_;
+                let _e470 = bitcast<u32>(_e466);
+                let _e472 = (bitcast<u32>(_e453) * _e439);
+                let _e473 = (bitcast<u32>(_e469) * _e439);
+                let _e474 = (_e472 + _e454);
+                let _e475 = (_e472 + _e470);
+                let _e476 = (_e473 + _e454);
+                let _e477 = (_e473 + _e470);
+                if (_e474 < _e44) {
                 } else {
                     return;
                 }
-                let _e394 = map.member[(0u + _e387)];
-                if (_e388 < _e43) {
+                let _e481 = map.member[(0u + _e474)];
+                if (_e475 < _e44) {
                 } else {
                     return;
                 }
-                let _e406 = map.member[(0u + _e388)];
-                if (_e389 < _e43) {
+                let _e493 = map.member[(0u + _e475)];
+                if (_e476 < _e44) {
                 } else {
                     return;
                 }
-                let _e422 = map.member[(0u + _e389)];
-                if (_e390 < _e43) {
+                let _e509 = map.member[(0u + _e476)];
+                if (_e477 < _e44) {
                 } else {
                     return;
                 }
-                let _e438 = map.member[(0u + _e390)];
-                let _e452 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e394.x * _e342) + (_e406.x * _e344)) + (_e422.x * _e346)) + (_e438.x * _e347)), ((((_e394.y * _e342) + (_e406.y * _e344)) + (_e422.y * _e346)) + (_e438.y * _e347)), ((((_e394.z * _e342) + (_e406.z * _e344)) + (_e422.z * _e346)) + (_e438.z * _e347)), ((((_e394.w * _e342) + (_e406.w * _e344)) + (_e422.w * _e346)) + (_e438.w * _e347))), _e233);
-                phi_619_ = evaluate_Verdict(_e452, false);
-                phi_620_ = evaluate_Verdict();
-                phi_621_ = false;
+                let _e525 = map.member[(0u + _e477)];
+                let _e539 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e481.x * _e429) + (_e493.x * _e431)) + (_e509.x * _e433)) + (_e525.x * _e434)), ((((_e481.y * _e429) + (_e493.y * _e431)) + (_e509.y * _e433)) + (_e525.y * _e434)), ((((_e481.z * _e429) + (_e493.z * _e431)) + (_e509.z * _e433)) + (_e525.z * _e434)), ((((_e481.w * _e429) + (_e493.w * _e431)) + (_e509.w * _e433)) + (_e525.w * _e434))), _e347);
+                phi_1582_ = evaluate_Verdict(_e539, false);
+                phi_1583_ = evaluate_Verdict();
+                phi_1584_ = false;
             } else {
-                phi_619_ = evaluate_Verdict();
-                phi_620_ = evaluate_Verdict(1f, false);
-                phi_621_ = true;
+                phi_1582_ = evaluate_Verdict();
+                phi_1583_ = evaluate_Verdict(1f, false);
+                phi_1584_ = true;
             }
-            let _e456 = phi_619_;
-            let _e458 = phi_620_;
-            let _e460 = phi_621_;
-            phi_622_ = _e458;
-            phi_623_ = _e456;
-            phi_624_ = _e460;
+            let _e543 = phi_1582_;
+            let _e545 = phi_1583_;
+            let _e547 = phi_1584_;
+            phi_1585_ = _e545;
+            phi_1586_ = _e543;
+            phi_1587_ = _e547;
         }
-        let _e462 = phi_622_;
-        let _e464 = phi_623_;
-        let _e466 = phi_624_;
-        if _e466 {
-            phi_628_ = _e462;
+        let _e549 = phi_1585_;
+        let _e551 = phi_1586_;
+        let _e553 = phi_1587_;
+        if _e553 {
+            phi_1591_ = _e549;
         } else {
-            phi_628_ = _e464;
+            phi_1591_ = _e551;
         }
-        let _e468 = phi_628_;
-        if (_e52.first_primitive < arrayLength((&visibility.member))) {
+        let _e555 = phi_1591_;
+        if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e52.first_primitive)] = _e468.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e555.visibility;
     }
     return;
 }

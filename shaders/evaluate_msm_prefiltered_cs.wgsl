@@ -70,37 +70,37 @@ var<storage, read_write> visibility: type_22;
 var<storage> map: type_30;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_130_: lt_bvh_traverse_Tree;
-    var phi_131_: bool;
-    var phi_132_: lt_bvh_traverse_Tree;
-    var phi_133_: bool;
-    var phi_138_: lt_bvh_traverse_Tree;
+    var phi_131_: lt_bvh_traverse_Tree;
+    var phi_132_: bool;
+    var phi_133_: lt_bvh_traverse_Tree;
+    var phi_134_: bool;
+    var phi_139_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_130_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_131_ = false;
+            phi_131_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_132_ = false;
         } else {
-            phi_130_ = lt_bvh_traverse_Tree();
-            phi_131_ = true;
+            phi_131_ = lt_bvh_traverse_Tree();
+            phi_132_ = true;
         }
-        let _e46 = phi_130_;
-        let _e48 = phi_131_;
-        phi_132_ = _e46;
-        phi_133_ = _e48;
+        let _e47 = phi_131_;
+        let _e49 = phi_132_;
+        phi_133_ = _e47;
+        phi_134_ = _e49;
     } else {
-        phi_132_ = lt_bvh_traverse_Tree();
-        phi_133_ = true;
+        phi_133_ = lt_bvh_traverse_Tree();
+        phi_134_ = true;
     }
-    let _e50 = phi_132_;
-    let _e52 = phi_133_;
-    if _e52 {
-        phi_138_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e51 = phi_133_;
+    let _e53 = phi_134_;
+    if _e53 {
+        phi_139_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_138_ = _e50;
+        phi_139_ = _e51;
     }
-    let _e57 = phi_138_;
-    return lt_bvh_traverse_Tree(_e57.root, _e57.first_primitive);
+    let _e58 = phi_139_;
+    return lt_bvh_traverse_Tree(_e58.root, _e58.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -108,537 +108,557 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_667_: f32;
-    var phi_668_: f32;
-    var phi_669_: f32;
-    var phi_675_: bool;
-    var phi_697_: f32;
-    var phi_698_: f32;
-    var phi_699_: f32;
-    var phi_700_: f32;
-    var phi_701_: bool;
-    var phi_702_: f32;
-    var phi_703_: bool;
-    var phi_741_: vec2<f32>;
-    var phi_775_: f32;
-    var phi_776_: f32;
-    var phi_777_: f32;
-    var phi_806_: f32;
-    var phi_807_: f32;
-    var phi_808_: f32;
-    var phi_812_: f32;
-    var phi_813_: f32;
-    var phi_814_: f32;
-    var phi_815_: f32;
+    var phi_188_: f32;
+    var phi_189_: f32;
+    var phi_190_: f32;
+    var phi_196_: bool;
+    var phi_218_: f32;
+    var phi_219_: f32;
+    var phi_220_: f32;
+    var phi_221_: f32;
+    var phi_222_: bool;
+    var phi_223_: f32;
+    var phi_224_: bool;
+    var phi_262_: vec2<f32>;
+    var phi_296_: f32;
+    var phi_297_: f32;
+    var phi_298_: f32;
+    var phi_327_: f32;
+    var phi_328_: f32;
+    var phi_329_: f32;
+    var phi_333_: f32;
+    var phi_334_: f32;
+    var phi_335_: f32;
+    var phi_336_: f32;
 
-    let _e36 = (*param_4);
-    let _e37 = (1f - _e36);
-    let _e46 = (0.5f * _e36);
-    let _e47 = ((param_5.x * _e37) + _e46);
-    let _e48 = ((param_5.y * _e37) + _e46);
-    let _e50 = ((param_5.w * _e37) + _e46);
-    let _e52 = (_e48 - (_e47 * _e47));
-    let _e54 = (((param_5.z * _e37) + _e46) - (_e47 * _e48));
+    let _e37 = (*param_4);
+    let _e38 = (1f - _e37);
+    let _e47 = (0.5f * _e37);
+    let _e48 = ((param_5.x * _e38) + _e47);
+    let _e49 = ((param_5.y * _e38) + _e47);
+    let _e51 = ((param_5.w * _e38) + _e47);
+    let _e53 = (_e49 - (_e48 * _e48));
+    let _e55 = (((param_5.z * _e38) + _e47) - (_e48 * _e49));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_669_ = param_6;
+        phi_190_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_668_ = 0f;
+            phi_189_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_667_ = 1f;
+                phi_188_ = 1f;
             } else {
-                phi_667_ = param_6;
+                phi_188_ = param_6;
             }
-            let _e66 = phi_667_;
-            phi_668_ = _e66;
+            let _e67 = phi_188_;
+            phi_189_ = _e67;
         }
-        let _e68 = phi_668_;
-        phi_669_ = _e68;
+        let _e69 = phi_189_;
+        phi_190_ = _e69;
     }
-    let _e70 = phi_669_;
-    if (_e47 == _e50) {
-        phi_675_ = (_e47 > 0.5f);
+    let _e71 = phi_190_;
+    if (_e48 == _e51) {
+        phi_196_ = (_e48 > 0.5f);
     } else {
-        phi_675_ = false;
+        phi_196_ = false;
     }
-    let _e74 = phi_675_;
-    if _e74 {
-        if (_e70 > 0f) {
-            if ((bitcast<u32>(_e47) & 2147483647u) > 2139095040u) {
-                phi_699_ = _e47;
+    let _e75 = phi_196_;
+    if _e75 {
+        if (_e71 > 0f) {
+            if ((bitcast<u32>(_e48) & 2147483647u) > 2139095040u) {
+                phi_220_ = _e48;
             } else {
-                if (_e47 < 0f) {
-                    phi_698_ = 0f;
+                if (_e48 < 0f) {
+                    phi_219_ = 0f;
                 } else {
-                    if (_e47 > 1f) {
-                        phi_697_ = 1f;
+                    if (_e48 > 1f) {
+                        phi_218_ = 1f;
                     } else {
-                        phi_697_ = _e47;
+                        phi_218_ = _e48;
                     }
-                    let _e82 = phi_697_;
-                    phi_698_ = _e82;
+                    let _e83 = phi_218_;
+                    phi_219_ = _e83;
                 }
-                let _e84 = phi_698_;
-                phi_699_ = _e84;
+                let _e85 = phi_219_;
+                phi_220_ = _e85;
             }
-            let _e86 = phi_699_;
-            phi_700_ = _e86;
-            phi_701_ = false;
+            let _e87 = phi_220_;
+            phi_221_ = _e87;
+            phi_222_ = false;
         } else {
-            phi_700_ = f32();
-            phi_701_ = true;
+            phi_221_ = f32();
+            phi_222_ = true;
         }
-        let _e88 = phi_700_;
-        let _e90 = phi_701_;
-        phi_702_ = _e88;
-        phi_703_ = _e90;
+        let _e89 = phi_221_;
+        let _e91 = phi_222_;
+        phi_223_ = _e89;
+        phi_224_ = _e91;
     } else {
-        phi_702_ = f32();
-        phi_703_ = true;
+        phi_223_ = f32();
+        phi_224_ = true;
     }
-    let _e92 = phi_702_;
-    let _e94 = phi_703_;
-    if _e94 {
-        let _e95 = (_e54 / _e52);
-        let _e96 = (_e70 - _e47);
-        let _e102 = (((((_e70 * _e70) - _e48) - (_e95 * _e96)) * _e52) / (((_e50 - (_e48 * _e48)) * _e52) - (_e54 * _e54)));
-        let _e105 = ((_e96 / _e52) - (_e95 * _e102));
-        let _e111 = ((0.5f * _e105) / _e102);
-        let _e114 = ((_e111 * _e111) - (((1f - (_e105 * _e47)) - (_e102 * _e48)) / _e102));
-        if (_e114 >= 0f) {
-            let _e116 = sqrt(_e114);
-            phi_741_ = vec2<f32>((-(_e111) - _e116), (-(_e111) + _e116));
+    let _e93 = phi_223_;
+    let _e95 = phi_224_;
+    if _e95 {
+        let _e96 = (_e55 / _e53);
+        let _e97 = (_e71 - _e48);
+        let _e103 = (((((_e71 * _e71) - _e49) - (_e96 * _e97)) * _e53) / (((_e51 - (_e49 * _e49)) * _e53) - (_e55 * _e55)));
+        let _e106 = ((_e97 / _e53) - (_e96 * _e103));
+        let _e112 = ((0.5f * _e106) / _e103);
+        let _e115 = ((_e112 * _e112) - (((1f - (_e106 * _e48)) - (_e103 * _e49)) / _e103));
+        if (_e115 >= 0f) {
+            let _e117 = sqrt(_e115);
+            phi_262_ = vec2<f32>((-(_e112) - _e117), (-(_e112) + _e117));
         } else {
-            phi_741_ = vec2(bitcast<f32>((bitcast<u32>(_e114) | 2143289344u)));
+            phi_262_ = vec2(bitcast<f32>((bitcast<u32>(_e115) | 2143289344u)));
         }
-        let _e127 = phi_741_;
-        if (_e70 <= _e127.x) {
-            phi_814_ = 1f;
+        let _e128 = phi_262_;
+        if (_e71 <= _e128.x) {
+            phi_335_ = 1f;
         } else {
-            if (_e70 > _e127.y) {
-                let _e140 = (((_e48 - (_e47 * (_e127.x + _e127.y))) + (_e127.x * _e127.y)) / ((_e70 - _e127.x) * (_e70 - _e127.y)));
-                if ((bitcast<u32>(_e140) & 2147483647u) > 2139095040u) {
-                    phi_777_ = _e140;
+            if (_e71 > _e128.y) {
+                let _e141 = (((_e49 - (_e48 * (_e128.x + _e128.y))) + (_e128.x * _e128.y)) / ((_e71 - _e128.x) * (_e71 - _e128.y)));
+                if ((bitcast<u32>(_e141) & 2147483647u) > 2139095040u) {
+                    phi_298_ = _e141;
                 } else {
-                    if (_e140 < 0f) {
-                        phi_776_ = 0f;
+                    if (_e141 < 0f) {
+                        phi_297_ = 0f;
                     } else {
-                        if (_e140 > 1f) {
-                            phi_775_ = 1f;
+                        if (_e141 > 1f) {
+                            phi_296_ = 1f;
                         } else {
-                            phi_775_ = _e140;
+                            phi_296_ = _e141;
                         }
-                        let _e147 = phi_775_;
-                        phi_776_ = _e147;
+                        let _e148 = phi_296_;
+                        phi_297_ = _e148;
                     }
-                    let _e149 = phi_776_;
-                    phi_777_ = _e149;
+                    let _e150 = phi_297_;
+                    phi_298_ = _e150;
                 }
-                let _e151 = phi_777_;
-                phi_813_ = _e151;
+                let _e152 = phi_298_;
+                phi_334_ = _e152;
             } else {
-                if (_e70 > _e127.x) {
-                    let _e162 = (1f - (((_e48 - (_e47 * (_e70 + _e127.y))) + (_e70 * _e127.y)) / ((_e127.x - _e70) * (_e127.x - _e127.y))));
-                    if ((bitcast<u32>(_e162) & 2147483647u) > 2139095040u) {
-                        phi_808_ = _e162;
+                if (_e71 > _e128.x) {
+                    let _e163 = (1f - (((_e49 - (_e48 * (_e71 + _e128.y))) + (_e71 * _e128.y)) / ((_e128.x - _e71) * (_e128.x - _e128.y))));
+                    if ((bitcast<u32>(_e163) & 2147483647u) > 2139095040u) {
+                        phi_329_ = _e163;
                     } else {
-                        if (_e162 < 0f) {
-                            phi_807_ = 0f;
+                        if (_e163 < 0f) {
+                            phi_328_ = 0f;
                         } else {
-                            if (_e162 > 1f) {
-                                phi_806_ = 1f;
+                            if (_e163 > 1f) {
+                                phi_327_ = 1f;
                             } else {
-                                phi_806_ = _e162;
+                                phi_327_ = _e163;
                             }
-                            let _e169 = phi_806_;
-                            phi_807_ = _e169;
+                            let _e170 = phi_327_;
+                            phi_328_ = _e170;
                         }
-                        let _e171 = phi_807_;
-                        phi_808_ = _e171;
+                        let _e172 = phi_328_;
+                        phi_329_ = _e172;
                     }
-                    let _e173 = phi_808_;
-                    phi_812_ = _e173;
+                    let _e174 = phi_329_;
+                    phi_333_ = _e174;
                 } else {
-                    phi_812_ = bitcast<f32>((bitcast<u32>(_e127.x) | 2143289344u));
+                    phi_333_ = bitcast<f32>((bitcast<u32>(_e128.x) | 2143289344u));
                 }
-                let _e178 = phi_812_;
-                phi_813_ = _e178;
+                let _e179 = phi_333_;
+                phi_334_ = _e179;
             }
-            let _e180 = phi_813_;
-            phi_814_ = _e180;
+            let _e181 = phi_334_;
+            phi_335_ = _e181;
         }
-        let _e182 = phi_814_;
-        phi_815_ = _e182;
+        let _e183 = phi_335_;
+        phi_336_ = _e183;
     } else {
-        phi_815_ = _e92;
+        phi_336_ = _e93;
     }
-    let _e184 = phi_815_;
-    return _e184;
+    let _e185 = phi_336_;
+    return _e185;
 }
 
 fn function_() {
     var local: f32;
-    var phi_198_: bool;
-    var phi_199_: bool;
-    var phi_200_: bool;
-    var phi_201_: bool;
-    var phi_205_: bool;
-    var phi_249_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_253_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_330_: bool;
-    var phi_339_: bool;
-    var phi_348_: bool;
-    var phi_349_: bool;
-    var phi_350_: bool;
-    var phi_351_: bool;
-    var phi_352_: bool;
-    var phi_353_: bool;
-    var phi_354_: bool;
-    var phi_358_: bool;
-    var phi_394_: f32;
-    var phi_399_: f32;
-    var phi_400_: bool;
-    var phi_401_: f32;
-    var phi_402_: bool;
-    var phi_406_: f32;
-    var phi_426_: f32;
-    var phi_431_: f32;
-    var phi_432_: bool;
-    var phi_433_: f32;
-    var phi_434_: bool;
-    var phi_438_: f32;
-    var phi_484_: i32;
-    var phi_489_: i32;
-    var phi_494_: i32;
-    var phi_499_: i32;
-    var phi_508_: i32;
-    var phi_513_: i32;
-    var phi_518_: i32;
-    var phi_523_: i32;
-    var phi_608_: evaluate_Verdict;
-    var phi_609_: evaluate_Verdict;
-    var phi_610_: bool;
-    var phi_611_: evaluate_Verdict;
-    var phi_612_: evaluate_Verdict;
-    var phi_613_: bool;
-    var phi_617_: evaluate_Verdict;
+    var phi_390_: bool;
+    var phi_391_: bool;
+    var phi_392_: bool;
+    var phi_393_: bool;
+    var phi_397_: bool;
+    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_445_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_522_: bool;
+    var phi_531_: bool;
+    var phi_540_: bool;
+    var phi_541_: bool;
+    var phi_542_: bool;
+    var phi_543_: bool;
+    var phi_544_: bool;
+    var phi_545_: bool;
+    var phi_546_: bool;
+    var phi_550_: bool;
+    var phi_644_: f32;
+    var phi_647_: f32;
+    var phi_676_: f32;
+    var phi_681_: f32;
+    var phi_682_: bool;
+    var phi_683_: f32;
+    var phi_684_: bool;
+    var phi_688_: f32;
+    var phi_708_: f32;
+    var phi_713_: f32;
+    var phi_714_: bool;
+    var phi_715_: f32;
+    var phi_716_: bool;
+    var phi_720_: f32;
+    var phi_766_: i32;
+    var phi_771_: i32;
+    var phi_776_: i32;
+    var phi_781_: i32;
+    var phi_790_: i32;
+    var phi_795_: i32;
+    var phi_800_: i32;
+    var phi_805_: i32;
+    var phi_890_: evaluate_Verdict;
+    var phi_891_: evaluate_Verdict;
+    var phi_892_: bool;
+    var phi_893_: evaluate_Verdict;
+    var phi_894_: evaluate_Verdict;
+    var phi_895_: bool;
+    var phi_899_: evaluate_Verdict;
 
-    let _e34 = id_1;
-    let _e41 = arrayLength((&map.member));
-    let _e47 = p.member.size[0u];
-    let _e49 = p.member.size[1u];
-    let _e50 = lt_shaders_entry_pixel_index(_e34, _e47, _e49);
-    if (bitcast<i32>(_e50.root) != 0i) {
-        if (_e50.first_primitive < arrayLength((&samples.member))) {
+    let _e35 = id_1;
+    let _e42 = arrayLength((&map.member));
+    let _e48 = p.member.size[0u];
+    let _e50 = p.member.size[1u];
+    let _e51 = lt_shaders_entry_pixel_index(_e35, _e48, _e50);
+    if (bitcast<i32>(_e51.root) != 0i) {
+        if (_e51.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e59 = p.member.light;
-        let _e62 = samples.member[(0u + _e50.first_primitive)].normal[0u];
-        let _e64 = global[0u];
-        if (_e62 == _e64) {
-            let _e67 = samples.member[(0u + _e50.first_primitive)].normal[1u];
-            let _e69 = global[1u];
-            if (_e67 == _e69) {
-                let _e72 = samples.member[(0u + _e50.first_primitive)].normal[2u];
-                let _e74 = global[2u];
-                phi_198_ = (_e72 == _e74);
-                phi_199_ = false;
+        let _e60 = p.member.light;
+        let _e63 = samples.member[(0u + _e51.first_primitive)].normal[0u];
+        let _e65 = global[0u];
+        if (_e63 == _e65) {
+            let _e68 = samples.member[(0u + _e51.first_primitive)].normal[1u];
+            let _e70 = global[1u];
+            if (_e68 == _e70) {
+                let _e73 = samples.member[(0u + _e51.first_primitive)].normal[2u];
+                let _e75 = global[2u];
+                phi_390_ = (_e73 == _e75);
+                phi_391_ = false;
             } else {
-                phi_198_ = bool();
-                phi_199_ = true;
+                phi_390_ = bool();
+                phi_391_ = true;
             }
-            let _e77 = phi_198_;
-            let _e79 = phi_199_;
-            phi_200_ = _e77;
-            phi_201_ = _e79;
+            let _e78 = phi_390_;
+            let _e80 = phi_391_;
+            phi_392_ = _e78;
+            phi_393_ = _e80;
         } else {
-            phi_200_ = bool();
-            phi_201_ = true;
+            phi_392_ = bool();
+            phi_393_ = true;
         }
-        let _e81 = phi_200_;
-        let _e83 = phi_201_;
-        if _e83 {
-            phi_205_ = false;
+        let _e82 = phi_392_;
+        let _e84 = phi_393_;
+        if _e84 {
+            phi_397_ = false;
         } else {
-            phi_205_ = _e81;
+            phi_397_ = _e82;
         }
-        let _e85 = phi_205_;
-        if !(_e85) {
-            let _e88 = samples.member[(0u + _e50.first_primitive)].normal;
-            let _e90 = samples.member[(0u + _e50.first_primitive)].position;
-            if ((((_e88.x * (_e59.x - (_e90.x * _e59.w))) + (_e88.y * (_e59.y - (_e90.y * _e59.w)))) + (_e88.z * (_e59.z - (_e90.z * _e59.w)))) > 0f) {
-                let _e114 = samples.member[(0u + _e50.first_primitive)].flags;
-                let _e122 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e122.unnamed.visibility, false), _e122.unnamed_1);
-                phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e128.unnamed, ((_e114 & 1u) == 0u));
+        let _e86 = phi_397_;
+        if !(_e86) {
+            let _e89 = samples.member[(0u + _e51.first_primitive)].normal;
+            let _e91 = samples.member[(0u + _e51.first_primitive)].position;
+            if ((((_e89.x * (_e60.x - (_e91.x * _e60.w))) + (_e89.y * (_e60.y - (_e91.y * _e60.w)))) + (_e89.z * (_e60.z - (_e91.z * _e60.w)))) > 0f) {
+                let _e115 = samples.member[(0u + _e51.first_primitive)].flags;
+                let _e123 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e129 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e123.unnamed.visibility, false), _e123.unnamed_1);
+                phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e129.unnamed, ((_e115 & 1u) == 0u));
             } else {
-                let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
-                phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, true);
+                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
+                phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, true);
             }
-            let _e148 = phi_249_;
-            phi_253_ = _e148;
+            let _e149 = phi_441_;
+            phi_445_ = _e149;
         } else {
-            let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e154.unnamed.visibility, false), _e154.unnamed_1);
-            phi_253_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e160.unnamed, true);
+            let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e155.unnamed.visibility, false), _e155.unnamed_1);
+            phi_445_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e161.unnamed, true);
         }
-        let _e165 = phi_253_;
-        if _e165.unnamed_1 {
-            phi_611_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
-            phi_612_ = evaluate_Verdict();
-            phi_613_ = true;
+        let _e166 = phi_445_;
+        if _e166.unnamed_1 {
+            phi_893_ = evaluate_Verdict(_e166.unnamed.visibility, _e166.unnamed.is_doubted);
+            phi_894_ = evaluate_Verdict();
+            phi_895_ = true;
         } else {
-            let _e173 = samples.member[(0u + _e50.first_primitive)].position;
-            let _e179 = p.member.projection.row_w;
-            let _e190 = ((((_e179.x * _e173.x) + (_e179.y * _e173.y)) + (_e179.z * _e173.z)) + (_e179.w * 1f));
-            let _e192 = p.member.projection.row_x;
-            let _e204 = (((((_e192.x * _e173.x) + (_e192.y * _e173.y)) + (_e192.z * _e173.z)) + (_e192.w * 1f)) / _e190);
-            let _e206 = p.member.projection.row_y;
-            let _e218 = (((((_e206.x * _e173.x) + (_e206.y * _e173.y)) + (_e206.z * _e173.z)) + (_e206.w * 1f)) / _e190);
-            let _e220 = p.member.projection.row_z;
-            let _e231 = ((((_e220.x * _e173.x) + (_e220.y * _e173.y)) + (_e220.z * _e173.z)) + (_e220.w * 1f));
-            if (_e190 > 0f) {
-                if (_e204 >= 0f) {
-                    phi_330_ = (_e204 <= 1f);
+            let _e174 = samples.member[(0u + _e51.first_primitive)].position;
+            let _e180 = p.member.projection.row_w;
+            let _e191 = ((((_e180.x * _e174.x) + (_e180.y * _e174.y)) + (_e180.z * _e174.z)) + (_e180.w * 1f));
+            let _e193 = p.member.projection.row_x;
+            let _e205 = (((((_e193.x * _e174.x) + (_e193.y * _e174.y)) + (_e193.z * _e174.z)) + (_e193.w * 1f)) / _e191);
+            let _e207 = p.member.projection.row_y;
+            let _e219 = (((((_e207.x * _e174.x) + (_e207.y * _e174.y)) + (_e207.z * _e174.z)) + (_e207.w * 1f)) / _e191);
+            let _e221 = p.member.projection.row_z;
+            let _e232 = ((((_e221.x * _e174.x) + (_e221.y * _e174.y)) + (_e221.z * _e174.z)) + (_e221.w * 1f));
+            if (_e191 > 0f) {
+                if (_e205 >= 0f) {
+                    phi_522_ = (_e205 <= 1f);
                 } else {
-                    phi_330_ = false;
+                    phi_522_ = false;
                 }
-                let _e236 = phi_330_;
-                if _e236 {
-                    if (_e218 >= 0f) {
-                        phi_339_ = (_e218 <= 1f);
+                let _e237 = phi_522_;
+                if _e237 {
+                    if (_e219 >= 0f) {
+                        phi_531_ = (_e219 <= 1f);
                     } else {
-                        phi_339_ = false;
+                        phi_531_ = false;
                     }
-                    let _e240 = phi_339_;
-                    if _e240 {
-                        if (_e231 >= 0f) {
-                            phi_348_ = (_e231 <= 1f);
+                    let _e241 = phi_531_;
+                    if _e241 {
+                        if (_e232 >= 0f) {
+                            phi_540_ = (_e232 <= 1f);
                         } else {
-                            phi_348_ = false;
+                            phi_540_ = false;
                         }
-                        let _e244 = phi_348_;
-                        phi_349_ = _e244;
-                        phi_350_ = false;
+                        let _e245 = phi_540_;
+                        phi_541_ = _e245;
+                        phi_542_ = false;
                     } else {
-                        phi_349_ = bool();
-                        phi_350_ = true;
+                        phi_541_ = bool();
+                        phi_542_ = true;
                     }
-                    let _e246 = phi_349_;
-                    let _e248 = phi_350_;
-                    phi_351_ = _e246;
-                    phi_352_ = _e248;
+                    let _e247 = phi_541_;
+                    let _e249 = phi_542_;
+                    phi_543_ = _e247;
+                    phi_544_ = _e249;
                 } else {
-                    phi_351_ = bool();
-                    phi_352_ = true;
+                    phi_543_ = bool();
+                    phi_544_ = true;
                 }
-                let _e250 = phi_351_;
-                let _e252 = phi_352_;
-                phi_353_ = _e250;
-                phi_354_ = _e252;
+                let _e251 = phi_543_;
+                let _e253 = phi_544_;
+                phi_545_ = _e251;
+                phi_546_ = _e253;
             } else {
-                phi_353_ = bool();
-                phi_354_ = true;
+                phi_545_ = bool();
+                phi_546_ = true;
             }
-            let _e254 = phi_353_;
-            let _e256 = phi_354_;
-            if _e256 {
-                phi_358_ = false;
+            let _e255 = phi_545_;
+            let _e257 = phi_546_;
+            if _e257 {
+                phi_550_ = false;
             } else {
-                phi_358_ = _e254;
+                phi_550_ = _e255;
             }
-            let _e258 = phi_358_;
-            if _e258 {
-                let _e260 = p.member.map_size;
-                let _e261 = f32(_e260);
-                let _e264 = ((_e204 * _e261) - 0.5f);
-                let _e265 = ((_e218 * _e261) - 0.5f);
-                if (_e264 > -8388608f) {
-                    let _e277 = f32(select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)));
-                    if (_e277 > _e264) {
-                        phi_394_ = 1f;
+            let _e259 = phi_550_;
+            if _e259 {
+                if (0f > 0f) {
+                    let _e262 = samples.member[(0u + _e51.first_primitive)].normal;
+                    let _e264 = p.member.map_size;
+                    let _e267 = p.member.projection.row_x;
+                    let _e289 = p.member.projection.row_y;
+                    let _e311 = p.member.projection.row_z;
+                    let _e338 = ((abs(((((_e267.x * _e262.x) + (_e267.y * _e262.y)) + (_e267.z * _e262.z)) / (((_e267.x * _e267.x) + (_e267.y * _e267.y)) + (_e267.z * _e267.z)))) + abs(((((_e289.x * _e262.x) + (_e289.y * _e262.y)) + (_e289.z * _e262.z)) / (((_e289.x * _e289.x) + (_e289.y * _e289.y)) + (_e289.z * _e289.z))))) / (abs(((((_e311.x * _e262.x) + (_e311.y * _e262.y)) + (_e311.z * _e262.z)) / (((_e311.x * _e311.x) + (_e311.y * _e311.y)) + (_e311.z * _e311.z)))) * f32(_e264)));
+                    if (_e338 < 0.002f) {
+                        phi_644_ = _e338;
                     } else {
-                        phi_394_ = 0f;
+                        phi_644_ = 0.002f;
                     }
-                    let _e280 = phi_394_;
-                    if (_e264 < 8388608f) {
-                        phi_399_ = (_e277 - _e280);
-                        phi_400_ = false;
+                    let _e341 = phi_644_;
+                    phi_647_ = (_e232 - (0f * _e341));
+                } else {
+                    phi_647_ = _e232;
+                }
+                let _e345 = phi_647_;
+                let _e347 = p.member.map_size;
+                let _e348 = f32(_e347);
+                let _e351 = ((_e205 * _e348) - 0.5f);
+                let _e352 = ((_e219 * _e348) - 0.5f);
+                if (_e351 > -8388608f) {
+                    let _e364 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
+                    if (_e364 > _e351) {
+                        phi_676_ = 1f;
                     } else {
-                        phi_399_ = f32();
-                        phi_400_ = true;
+                        phi_676_ = 0f;
                     }
-                    let _e283 = phi_399_;
-                    let _e285 = phi_400_;
-                    phi_401_ = _e283;
-                    phi_402_ = _e285;
-                } else {
-                    phi_401_ = f32();
-                    phi_402_ = true;
-                }
-                let _e287 = phi_401_;
-                let _e289 = phi_402_;
-                if _e289 {
-                    phi_406_ = _e264;
-                } else {
-                    phi_406_ = _e287;
-                }
-                let _e291 = phi_406_;
-                if (_e265 > -8388608f) {
-                    let _e303 = f32(select(0i, select(select(i32(_e265), i32(-2147483648), (_e265 < bitcast<f32>(3472883712u))), 2147483647i, (_e265 > bitcast<f32>(1325400063u))), (_e265 == _e265)));
-                    if (_e303 > _e265) {
-                        phi_426_ = 1f;
+                    let _e367 = phi_676_;
+                    if (_e351 < 8388608f) {
+                        phi_681_ = (_e364 - _e367);
+                        phi_682_ = false;
                     } else {
-                        phi_426_ = 0f;
+                        phi_681_ = f32();
+                        phi_682_ = true;
                     }
-                    let _e306 = phi_426_;
-                    if (_e265 < 8388608f) {
-                        phi_431_ = (_e303 - _e306);
-                        phi_432_ = false;
+                    let _e370 = phi_681_;
+                    let _e372 = phi_682_;
+                    phi_683_ = _e370;
+                    phi_684_ = _e372;
+                } else {
+                    phi_683_ = f32();
+                    phi_684_ = true;
+                }
+                let _e374 = phi_683_;
+                let _e376 = phi_684_;
+                if _e376 {
+                    phi_688_ = _e351;
+                } else {
+                    phi_688_ = _e374;
+                }
+                let _e378 = phi_688_;
+                if (_e352 > -8388608f) {
+                    let _e390 = f32(select(0i, select(select(i32(_e352), i32(-2147483648), (_e352 < bitcast<f32>(3472883712u))), 2147483647i, (_e352 > bitcast<f32>(1325400063u))), (_e352 == _e352)));
+                    if (_e390 > _e352) {
+                        phi_708_ = 1f;
                     } else {
-                        phi_431_ = f32();
-                        phi_432_ = true;
+                        phi_708_ = 0f;
                     }
-                    let _e309 = phi_431_;
-                    let _e311 = phi_432_;
-                    phi_433_ = _e309;
-                    phi_434_ = _e311;
+                    let _e393 = phi_708_;
+                    if (_e352 < 8388608f) {
+                        phi_713_ = (_e390 - _e393);
+                        phi_714_ = false;
+                    } else {
+                        phi_713_ = f32();
+                        phi_714_ = true;
+                    }
+                    let _e396 = phi_713_;
+                    let _e398 = phi_714_;
+                    phi_715_ = _e396;
+                    phi_716_ = _e398;
                 } else {
-                    phi_433_ = f32();
-                    phi_434_ = true;
+                    phi_715_ = f32();
+                    phi_716_ = true;
                 }
-                let _e313 = phi_433_;
-                let _e315 = phi_434_;
-                if _e315 {
-                    phi_438_ = _e265;
+                let _e400 = phi_715_;
+                let _e402 = phi_716_;
+                if _e402 {
+                    phi_720_ = _e352;
                 } else {
-                    phi_438_ = _e313;
+                    phi_720_ = _e400;
                 }
-                let _e317 = phi_438_;
-                let _e318 = (_e264 - _e291);
-                let _e319 = (_e265 - _e317);
-                let _e328 = select(0i, select(select(i32(_e291), i32(-2147483648), (_e291 < bitcast<f32>(3472883712u))), 2147483647i, (_e291 > bitcast<f32>(1325400063u))), (_e291 == _e291));
-                let _e337 = select(0i, select(select(i32(_e317), i32(-2147483648), (_e317 < bitcast<f32>(3472883712u))), 2147483647i, (_e317 > bitcast<f32>(1325400063u))), (_e317 == _e317));
-                let _e340 = ((1f - _e318) * (1f - _e319));
-                let _e342 = (_e318 * (1f - _e319));
-                let _e344 = ((1f - _e318) * _e319);
-                let _e345 = (_e318 * _e319);
-                let _e347 = p.member.test;
-                let _e348 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e347);
-                let _e350 = p.member.map_size;
-                local = _e348;
-                let _e352 = (bitcast<i32>(_e350) - 1i);
-                if (_e328 > 0i) {
-                    phi_484_ = _e328;
+                let _e404 = phi_720_;
+                let _e405 = (_e351 - _e378);
+                let _e406 = (_e352 - _e404);
+                let _e415 = select(0i, select(select(i32(_e378), i32(-2147483648), (_e378 < bitcast<f32>(3472883712u))), 2147483647i, (_e378 > bitcast<f32>(1325400063u))), (_e378 == _e378));
+                let _e424 = select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < bitcast<f32>(3472883712u))), 2147483647i, (_e404 > bitcast<f32>(1325400063u))), (_e404 == _e404));
+                let _e427 = ((1f - _e405) * (1f - _e406));
+                let _e429 = (_e405 * (1f - _e406));
+                let _e431 = ((1f - _e405) * _e406);
+                let _e432 = (_e405 * _e406);
+                let _e434 = p.member.test;
+                let _e435 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
+                let _e437 = p.member.map_size;
+                local = _e435;
+                let _e439 = (bitcast<i32>(_e437) - 1i);
+                if (_e415 > 0i) {
+                    phi_766_ = _e415;
                 } else {
-                    phi_484_ = 0i;
+                    phi_766_ = 0i;
                 }
-                let _e355 = phi_484_;
-                if (_e337 > 0i) {
-                    phi_489_ = _e337;
+                let _e442 = phi_766_;
+                if (_e424 > 0i) {
+                    phi_771_ = _e424;
                 } else {
-                    phi_489_ = 0i;
+                    phi_771_ = 0i;
                 }
-                let _e358 = phi_489_;
-                if (_e355 < _e352) {
-                    phi_494_ = _e355;
+                let _e445 = phi_771_;
+                if (_e442 < _e439) {
+                    phi_776_ = _e442;
                 } else {
-                    phi_494_ = _e352;
+                    phi_776_ = _e439;
                 }
-                let _e361 = phi_494_;
-                if (_e358 < _e352) {
-                    phi_499_ = _e358;
+                let _e448 = phi_776_;
+                if (_e445 < _e439) {
+                    phi_781_ = _e445;
                 } else {
-                    phi_499_ = _e352;
+                    phi_781_ = _e439;
                 }
-                let _e364 = phi_499_;
-                let _e365 = bitcast<u32>(_e361);
-                let _e367 = (_e328 + 1i);
-                let _e368 = (_e337 + 1i);
-                if (_e367 > 0i) {
-                    phi_508_ = _e367;
+                let _e451 = phi_781_;
+                let _e452 = bitcast<u32>(_e448);
+                let _e454 = (_e415 + 1i);
+                let _e455 = (_e424 + 1i);
+                if (_e454 > 0i) {
+                    phi_790_ = _e454;
                 } else {
-                    phi_508_ = 0i;
+                    phi_790_ = 0i;
                 }
-                let _e371 = phi_508_;
-                if (_e368 > 0i) {
-                    phi_513_ = _e368;
+                let _e458 = phi_790_;
+                if (_e455 > 0i) {
+                    phi_795_ = _e455;
                 } else {
-                    phi_513_ = 0i;
+                    phi_795_ = 0i;
                 }
-                let _e374 = phi_513_;
-                if (_e371 < _e352) {
-                    phi_518_ = _e371;
+                let _e461 = phi_795_;
+                if (_e458 < _e439) {
+                    phi_800_ = _e458;
                 } else {
-                    phi_518_ = _e352;
+                    phi_800_ = _e439;
                 }
-                let _e377 = phi_518_;
-                if (_e374 < _e352) {
-                    phi_523_ = _e374;
+                let _e464 = phi_800_;
+                if (_e461 < _e439) {
+                    phi_805_ = _e461;
                 } else {
-                    phi_523_ = _e352;
+                    phi_805_ = _e439;
                 }
-                let _e380 = phi_523_;
-                let _e381 = bitcast<u32>(_e377);
-                let _e383 = (bitcast<u32>(_e364) * _e350);
-                let _e384 = (bitcast<u32>(_e380) * _e350);
-                let _e385 = (_e383 + _e365);
-                let _e386 = (_e383 + _e381);
-                let _e387 = (_e384 + _e365);
-                let _e388 = (_e384 + _e381);
-                if (_e385 < _e41) {
+                let _e467 = phi_805_;
+                let _e468 = bitcast<u32>(_e464);
+                let _e470 = (bitcast<u32>(_e451) * _e437);
+                let _e471 = (bitcast<u32>(_e467) * _e437);
+                let _e472 = (_e470 + _e452);
+                let _e473 = (_e470 + _e468);
+                let _e474 = (_e471 + _e452);
+                let _e475 = (_e471 + _e468);
+                if (_e472 < _e42) {
                 } else {
                     return;
                 }
-                let _e392 = map.member[(0u + _e385)];
-                if (_e386 < _e41) {
+                let _e479 = map.member[(0u + _e472)];
+                if (_e473 < _e42) {
                 } else {
                     return;
                 }
-                let _e404 = map.member[(0u + _e386)];
-                if (_e387 < _e41) {
+                let _e491 = map.member[(0u + _e473)];
+                if (_e474 < _e42) {
                 } else {
                     return;
                 }
-                let _e420 = map.member[(0u + _e387)];
-                if (_e388 < _e41) {
+                let _e507 = map.member[(0u + _e474)];
+                if (_e475 < _e42) {
                 } else {
                     return;
                 }
-                let _e436 = map.member[(0u + _e388)];
-                let _e450 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e392.x * _e340) + (_e404.x * _e342)) + (_e420.x * _e344)) + (_e436.x * _e345)), ((((_e392.y * _e340) + (_e404.y * _e342)) + (_e420.y * _e344)) + (_e436.y * _e345)), ((((_e392.z * _e340) + (_e404.z * _e342)) + (_e420.z * _e344)) + (_e436.z * _e345)), ((((_e392.w * _e340) + (_e404.w * _e342)) + (_e420.w * _e344)) + (_e436.w * _e345))), _e231);
-                phi_608_ = evaluate_Verdict(_e450, false);
-                phi_609_ = evaluate_Verdict();
-                phi_610_ = false;
+                let _e523 = map.member[(0u + _e475)];
+                let _e537 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e479.x * _e427) + (_e491.x * _e429)) + (_e507.x * _e431)) + (_e523.x * _e432)), ((((_e479.y * _e427) + (_e491.y * _e429)) + (_e507.y * _e431)) + (_e523.y * _e432)), ((((_e479.z * _e427) + (_e491.z * _e429)) + (_e507.z * _e431)) + (_e523.z * _e432)), ((((_e479.w * _e427) + (_e491.w * _e429)) + (_e507.w * _e431)) + (_e523.w * _e432))), _e345);
+                phi_890_ = evaluate_Verdict(_e537, false);
+                phi_891_ = evaluate_Verdict();
+                phi_892_ = false;
             } else {
-                phi_608_ = evaluate_Verdict();
-                phi_609_ = evaluate_Verdict(1f, false);
-                phi_610_ = true;
+                phi_890_ = evaluate_Verdict();
+                phi_891_ = evaluate_Verdict(1f, false);
+                phi_892_ = true;
             }
-            let _e454 = phi_608_;
-            let _e456 = phi_609_;
-            let _e458 = phi_610_;
-            phi_611_ = _e456;
-            phi_612_ = _e454;
-            phi_613_ = _e458;
+            let _e541 = phi_890_;
+            let _e543 = phi_891_;
+            let _e545 = phi_892_;
+            phi_893_ = _e543;
+            phi_894_ = _e541;
+            phi_895_ = _e545;
         }
-        let _e460 = phi_611_;
-        let _e462 = phi_612_;
-        let _e464 = phi_613_;
-        if _e464 {
-            phi_617_ = _e460;
+        let _e547 = phi_893_;
+        let _e549 = phi_894_;
+        let _e551 = phi_895_;
+        if _e551 {
+            phi_899_ = _e547;
         } else {
-            phi_617_ = _e462;
+            phi_899_ = _e549;
         }
-        let _e466 = phi_617_;
-        if (_e50.first_primitive < arrayLength((&visibility.member))) {
+        let _e553 = phi_899_;
+        if (_e51.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e50.first_primitive)] = _e466.visibility;
+        visibility.member[(0u + _e51.first_primitive)] = _e553.visibility;
     }
     return;
 }

@@ -100,228 +100,228 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
 }
 
 fn _lt_math_pcf_Pcf_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_3: ptr<function, f32>, param_4: vec4<f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_678_: f32;
-    var phi_679_: f32;
-    var phi_680_: f32;
-    var phi_696_: f32;
-    var phi_697_: f32;
-    var phi_698_: f32;
-    var phi_714_: f32;
-    var phi_715_: f32;
-    var phi_716_: f32;
-    var phi_732_: f32;
-    var phi_733_: f32;
-    var phi_734_: f32;
-    var phi_754_: f32;
-    var phi_755_: f32;
-    var phi_756_: f32;
-    var phi_773_: f32;
-    var phi_774_: f32;
-    var phi_775_: f32;
-    var phi_792_: f32;
-    var phi_793_: f32;
-    var phi_794_: f32;
-    var phi_811_: f32;
-    var phi_812_: f32;
-    var phi_813_: f32;
-    var phi_830_: f32;
-    var phi_831_: f32;
-    var phi_832_: f32;
-    var phi_858_: f32;
-    var phi_859_: f32;
-    var phi_860_: f32;
+    var phi_683_: f32;
+    var phi_684_: f32;
+    var phi_685_: f32;
+    var phi_701_: f32;
+    var phi_702_: f32;
+    var phi_703_: f32;
+    var phi_719_: f32;
+    var phi_720_: f32;
+    var phi_721_: f32;
+    var phi_737_: f32;
+    var phi_738_: f32;
+    var phi_739_: f32;
+    var phi_759_: f32;
+    var phi_760_: f32;
+    var phi_761_: f32;
+    var phi_778_: f32;
+    var phi_779_: f32;
+    var phi_780_: f32;
+    var phi_797_: f32;
+    var phi_798_: f32;
+    var phi_799_: f32;
+    var phi_816_: f32;
+    var phi_817_: f32;
+    var phi_818_: f32;
+    var phi_835_: f32;
+    var phi_836_: f32;
+    var phi_837_: f32;
+    var phi_863_: f32;
+    var phi_864_: f32;
+    var phi_865_: f32;
 
     if ((bitcast<u32>(param_4.x) & 2147483647u) > 2139095040u) {
-        phi_680_ = param_4.x;
+        phi_685_ = param_4.x;
     } else {
         if (param_4.x < 0f) {
-            phi_679_ = 0f;
+            phi_684_ = 0f;
         } else {
             if (param_4.x > 1f) {
-                phi_678_ = 1f;
+                phi_683_ = 1f;
             } else {
-                phi_678_ = param_4.x;
+                phi_683_ = param_4.x;
             }
-            let _e44 = phi_678_;
-            phi_679_ = _e44;
+            let _e44 = phi_683_;
+            phi_684_ = _e44;
         }
-        let _e46 = phi_679_;
-        phi_680_ = _e46;
+        let _e46 = phi_684_;
+        phi_685_ = _e46;
     }
-    let _e48 = phi_680_;
+    let _e48 = phi_685_;
     if ((bitcast<u32>(param_4.y) & 2147483647u) > 2139095040u) {
-        phi_698_ = param_4.y;
+        phi_703_ = param_4.y;
     } else {
         if (param_4.y < 0f) {
-            phi_697_ = 0f;
+            phi_702_ = 0f;
         } else {
             if (param_4.y > 1f) {
-                phi_696_ = 1f;
+                phi_701_ = 1f;
             } else {
-                phi_696_ = param_4.y;
+                phi_701_ = param_4.y;
             }
-            let _e56 = phi_696_;
-            phi_697_ = _e56;
+            let _e56 = phi_701_;
+            phi_702_ = _e56;
         }
-        let _e58 = phi_697_;
-        phi_698_ = _e58;
+        let _e58 = phi_702_;
+        phi_703_ = _e58;
     }
-    let _e60 = phi_698_;
+    let _e60 = phi_703_;
     if ((bitcast<u32>(param_4.z) & 2147483647u) > 2139095040u) {
-        phi_716_ = param_4.z;
+        phi_721_ = param_4.z;
     } else {
         if (param_4.z < 0f) {
-            phi_715_ = 0f;
+            phi_720_ = 0f;
         } else {
             if (param_4.z > 1f) {
-                phi_714_ = 1f;
+                phi_719_ = 1f;
             } else {
-                phi_714_ = param_4.z;
+                phi_719_ = param_4.z;
             }
-            let _e68 = phi_714_;
-            phi_715_ = _e68;
+            let _e68 = phi_719_;
+            phi_720_ = _e68;
         }
-        let _e70 = phi_715_;
-        phi_716_ = _e70;
+        let _e70 = phi_720_;
+        phi_721_ = _e70;
     }
-    let _e72 = phi_716_;
+    let _e72 = phi_721_;
     if ((bitcast<u32>(param_4.w) & 2147483647u) > 2139095040u) {
-        phi_734_ = param_4.w;
+        phi_739_ = param_4.w;
     } else {
         if (param_4.w < 0f) {
-            phi_733_ = 0f;
+            phi_738_ = 0f;
         } else {
             if (param_4.w > 1f) {
-                phi_732_ = 1f;
+                phi_737_ = 1f;
             } else {
-                phi_732_ = param_4.w;
+                phi_737_ = param_4.w;
             }
-            let _e80 = phi_732_;
-            phi_733_ = _e80;
+            let _e80 = phi_737_;
+            phi_738_ = _e80;
         }
-        let _e82 = phi_733_;
-        phi_734_ = _e82;
+        let _e82 = phi_738_;
+        phi_739_ = _e82;
     }
-    let _e84 = phi_734_;
+    let _e84 = phi_739_;
     let _e85 = (*param_3);
     let _e86 = (_e48 + _e85);
     let _e87 = (_e60 + _e85);
     let _e88 = (_e72 + _e85);
     let _e89 = (_e84 + _e85);
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_756_ = param_6;
+        phi_761_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_755_ = 0f;
+            phi_760_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_754_ = 1f;
+                phi_759_ = 1f;
             } else {
-                phi_754_ = param_6;
+                phi_759_ = param_6;
             }
-            let _e96 = phi_754_;
-            phi_755_ = _e96;
+            let _e96 = phi_759_;
+            phi_760_ = _e96;
         }
-        let _e98 = phi_755_;
-        phi_756_ = _e98;
+        let _e98 = phi_760_;
+        phi_761_ = _e98;
     }
-    let _e100 = phi_756_;
+    let _e100 = phi_761_;
     if ((bitcast<u32>(_e86) & 2147483647u) > 2139095040u) {
-        phi_775_ = _e86;
+        phi_780_ = _e86;
     } else {
         if ((bitcast<u32>(_e100) & 2147483647u) > 2139095040u) {
-            phi_774_ = _e100;
+            phi_779_ = _e100;
         } else {
             if (_e86 < _e100) {
-                phi_773_ = 0f;
+                phi_778_ = 0f;
             } else {
-                phi_773_ = 1f;
+                phi_778_ = 1f;
             }
-            let _e109 = phi_773_;
-            phi_774_ = _e109;
+            let _e109 = phi_778_;
+            phi_779_ = _e109;
         }
-        let _e111 = phi_774_;
-        phi_775_ = _e111;
+        let _e111 = phi_779_;
+        phi_780_ = _e111;
     }
-    let _e113 = phi_775_;
+    let _e113 = phi_780_;
     if ((bitcast<u32>(_e87) & 2147483647u) > 2139095040u) {
-        phi_794_ = _e87;
+        phi_799_ = _e87;
     } else {
         if ((bitcast<u32>(_e100) & 2147483647u) > 2139095040u) {
-            phi_793_ = _e100;
+            phi_798_ = _e100;
         } else {
             if (_e87 < _e100) {
-                phi_792_ = 0f;
+                phi_797_ = 0f;
             } else {
-                phi_792_ = 1f;
+                phi_797_ = 1f;
             }
-            let _e122 = phi_792_;
-            phi_793_ = _e122;
+            let _e122 = phi_797_;
+            phi_798_ = _e122;
         }
-        let _e124 = phi_793_;
-        phi_794_ = _e124;
+        let _e124 = phi_798_;
+        phi_799_ = _e124;
     }
-    let _e126 = phi_794_;
+    let _e126 = phi_799_;
     if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
-        phi_813_ = _e88;
+        phi_818_ = _e88;
     } else {
         if ((bitcast<u32>(_e100) & 2147483647u) > 2139095040u) {
-            phi_812_ = _e100;
+            phi_817_ = _e100;
         } else {
             if (_e88 < _e100) {
-                phi_811_ = 0f;
+                phi_816_ = 0f;
             } else {
-                phi_811_ = 1f;
+                phi_816_ = 1f;
             }
-            let _e135 = phi_811_;
-            phi_812_ = _e135;
+            let _e135 = phi_816_;
+            phi_817_ = _e135;
         }
-        let _e137 = phi_812_;
-        phi_813_ = _e137;
+        let _e137 = phi_817_;
+        phi_818_ = _e137;
     }
-    let _e139 = phi_813_;
+    let _e139 = phi_818_;
     if ((bitcast<u32>(_e89) & 2147483647u) > 2139095040u) {
-        phi_832_ = _e89;
+        phi_837_ = _e89;
     } else {
         if ((bitcast<u32>(_e100) & 2147483647u) > 2139095040u) {
-            phi_831_ = _e100;
+            phi_836_ = _e100;
         } else {
             if (_e89 < _e100) {
-                phi_830_ = 0f;
+                phi_835_ = 0f;
             } else {
-                phi_830_ = 1f;
+                phi_835_ = 1f;
             }
-            let _e148 = phi_830_;
-            phi_831_ = _e148;
+            let _e148 = phi_835_;
+            phi_836_ = _e148;
         }
-        let _e150 = phi_831_;
-        phi_832_ = _e150;
+        let _e150 = phi_836_;
+        phi_837_ = _e150;
     }
-    let _e152 = phi_832_;
+    let _e152 = phi_837_;
     let _e163 = ((((_e113 * param_5.x) + (_e126 * param_5.y)) + (_e139 * param_5.z)) + (_e152 * param_5.w));
     if ((bitcast<u32>(_e163) & 2147483647u) > 2139095040u) {
-        phi_860_ = _e163;
+        phi_865_ = _e163;
     } else {
         if (_e163 < 0f) {
-            phi_859_ = 0f;
+            phi_864_ = 0f;
         } else {
             if (_e163 > 1f) {
-                phi_858_ = 1f;
+                phi_863_ = 1f;
             } else {
-                phi_858_ = _e163;
+                phi_863_ = _e163;
             }
-            let _e170 = phi_858_;
-            phi_859_ = _e170;
+            let _e170 = phi_863_;
+            phi_864_ = _e170;
         }
-        let _e172 = phi_859_;
-        phi_860_ = _e172;
+        let _e172 = phi_864_;
+        phi_865_ = _e172;
     }
-    let _e174 = phi_860_;
+    let _e174 = phi_865_;
     return _e174;
 }
 
-fn _lt_math_pcf_Pcf_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_7: vec4<f32>, param_8: f32) -> f32 {
-    return (param_7.x + param_8);
+fn _lt_math_pcf_Pcf_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_7: vec4<f32>) -> f32 {
+    return param_7.x;
 }
 
 fn function_() {
@@ -343,34 +343,35 @@ fn function_() {
     var phi_342_: bool;
     var phi_343_: bool;
     var phi_347_: bool;
-    var phi_437_: f32;
-    var phi_466_: f32;
-    var phi_471_: f32;
-    var phi_472_: bool;
+    var phi_441_: f32;
+    var phi_444_: f32;
     var phi_473_: f32;
-    var phi_474_: bool;
     var phi_478_: f32;
-    var phi_498_: f32;
-    var phi_503_: f32;
-    var phi_504_: bool;
+    var phi_479_: bool;
+    var phi_480_: f32;
+    var phi_481_: bool;
+    var phi_485_: f32;
     var phi_505_: f32;
-    var phi_506_: bool;
     var phi_510_: f32;
-    var phi_556_: i32;
-    var phi_561_: i32;
-    var phi_566_: i32;
-    var phi_571_: i32;
-    var phi_580_: i32;
-    var phi_585_: i32;
-    var phi_590_: i32;
-    var phi_595_: i32;
-    var phi_636_: evaluate_Verdict;
-    var phi_637_: evaluate_Verdict;
-    var phi_638_: bool;
-    var phi_639_: evaluate_Verdict;
-    var phi_640_: evaluate_Verdict;
-    var phi_641_: bool;
-    var phi_645_: evaluate_Verdict;
+    var phi_511_: bool;
+    var phi_512_: f32;
+    var phi_513_: bool;
+    var phi_517_: f32;
+    var phi_563_: i32;
+    var phi_568_: i32;
+    var phi_573_: i32;
+    var phi_578_: i32;
+    var phi_587_: i32;
+    var phi_592_: i32;
+    var phi_597_: i32;
+    var phi_602_: i32;
+    var phi_643_: evaluate_Verdict;
+    var phi_644_: evaluate_Verdict;
+    var phi_645_: bool;
+    var phi_646_: evaluate_Verdict;
+    var phi_647_: evaluate_Verdict;
+    var phi_648_: bool;
+    var phi_652_: evaluate_Verdict;
 
     let _e34 = id_1;
     let _e41 = arrayLength((&map.member));
@@ -435,9 +436,9 @@ fn function_() {
         }
         let _e165 = phi_242_;
         if _e165.unnamed_1 {
-            phi_639_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
-            phi_640_ = evaluate_Verdict();
-            phi_641_ = true;
+            phi_646_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
+            phi_647_ = evaluate_Verdict();
+            phi_648_ = true;
         } else {
             let _e173 = samples.member[(0u + _e50.first_primitive)].position;
             let _e179 = p.member.projection.row_w;
@@ -500,201 +501,207 @@ fn function_() {
             }
             let _e258 = phi_347_;
             if _e258 {
-                let _e260 = samples.member[(0u + _e50.first_primitive)].normal;
-                let _e262 = p.member.map_size;
-                let _e265 = p.member.projection.row_x;
-                let _e287 = p.member.projection.row_y;
-                let _e309 = p.member.projection.row_z;
-                let _e336 = ((abs(((((_e265.x * _e260.x) + (_e265.y * _e260.y)) + (_e265.z * _e260.z)) / (((_e265.x * _e265.x) + (_e265.y * _e265.y)) + (_e265.z * _e265.z)))) + abs(((((_e287.x * _e260.x) + (_e287.y * _e260.y)) + (_e287.z * _e260.z)) / (((_e287.x * _e287.x) + (_e287.y * _e287.y)) + (_e287.z * _e287.z))))) / (abs(((((_e309.x * _e260.x) + (_e309.y * _e260.y)) + (_e309.z * _e260.z)) / (((_e309.x * _e309.x) + (_e309.y * _e309.y)) + (_e309.z * _e309.z)))) * f32(_e262)));
-                if (_e336 < 0.002f) {
-                    phi_437_ = _e336;
-                } else {
-                    phi_437_ = 0.002f;
-                }
-                let _e339 = phi_437_;
-                let _e341 = p.member.map_size;
-                let _e342 = f32(_e341);
-                let _e345 = ((_e204 * _e342) - 0.5f);
-                let _e346 = ((_e218 * _e342) - 0.5f);
-                if (_e345 > -8388608f) {
-                    let _e358 = f32(select(0i, select(select(i32(_e345), i32(-2147483648), (_e345 < bitcast<f32>(3472883712u))), 2147483647i, (_e345 > bitcast<f32>(1325400063u))), (_e345 == _e345)));
-                    if (_e358 > _e345) {
-                        phi_466_ = 1f;
+                if (1f > 0f) {
+                    let _e261 = samples.member[(0u + _e50.first_primitive)].normal;
+                    let _e263 = p.member.map_size;
+                    let _e266 = p.member.projection.row_x;
+                    let _e288 = p.member.projection.row_y;
+                    let _e310 = p.member.projection.row_z;
+                    let _e337 = ((abs(((((_e266.x * _e261.x) + (_e266.y * _e261.y)) + (_e266.z * _e261.z)) / (((_e266.x * _e266.x) + (_e266.y * _e266.y)) + (_e266.z * _e266.z)))) + abs(((((_e288.x * _e261.x) + (_e288.y * _e261.y)) + (_e288.z * _e261.z)) / (((_e288.x * _e288.x) + (_e288.y * _e288.y)) + (_e288.z * _e288.z))))) / (abs(((((_e310.x * _e261.x) + (_e310.y * _e261.y)) + (_e310.z * _e261.z)) / (((_e310.x * _e310.x) + (_e310.y * _e310.y)) + (_e310.z * _e310.z)))) * f32(_e263)));
+                    if (_e337 < 0.002f) {
+                        phi_441_ = _e337;
                     } else {
-                        phi_466_ = 0f;
+                        phi_441_ = 0.002f;
                     }
-                    let _e361 = phi_466_;
-                    if (_e345 < 8388608f) {
-                        phi_471_ = (_e358 - _e361);
-                        phi_472_ = false;
+                    let _e340 = phi_441_;
+                    phi_444_ = (_e231 - (1f * _e340));
+                } else {
+                    phi_444_ = _e231;
+                }
+                let _e344 = phi_444_;
+                let _e346 = p.member.map_size;
+                let _e347 = f32(_e346);
+                let _e350 = ((_e204 * _e347) - 0.5f);
+                let _e351 = ((_e218 * _e347) - 0.5f);
+                if (_e350 > -8388608f) {
+                    let _e363 = f32(select(0i, select(select(i32(_e350), i32(-2147483648), (_e350 < bitcast<f32>(3472883712u))), 2147483647i, (_e350 > bitcast<f32>(1325400063u))), (_e350 == _e350)));
+                    if (_e363 > _e350) {
+                        phi_473_ = 1f;
                     } else {
-                        phi_471_ = f32();
-                        phi_472_ = true;
+                        phi_473_ = 0f;
                     }
-                    let _e364 = phi_471_;
-                    let _e366 = phi_472_;
-                    phi_473_ = _e364;
-                    phi_474_ = _e366;
-                } else {
-                    phi_473_ = f32();
-                    phi_474_ = true;
-                }
-                let _e368 = phi_473_;
-                let _e370 = phi_474_;
-                if _e370 {
-                    phi_478_ = _e345;
-                } else {
-                    phi_478_ = _e368;
-                }
-                let _e372 = phi_478_;
-                if (_e346 > -8388608f) {
-                    let _e384 = f32(select(0i, select(select(i32(_e346), i32(-2147483648), (_e346 < bitcast<f32>(3472883712u))), 2147483647i, (_e346 > bitcast<f32>(1325400063u))), (_e346 == _e346)));
-                    if (_e384 > _e346) {
-                        phi_498_ = 1f;
+                    let _e366 = phi_473_;
+                    if (_e350 < 8388608f) {
+                        phi_478_ = (_e363 - _e366);
+                        phi_479_ = false;
                     } else {
-                        phi_498_ = 0f;
+                        phi_478_ = f32();
+                        phi_479_ = true;
                     }
-                    let _e387 = phi_498_;
-                    if (_e346 < 8388608f) {
-                        phi_503_ = (_e384 - _e387);
-                        phi_504_ = false;
+                    let _e369 = phi_478_;
+                    let _e371 = phi_479_;
+                    phi_480_ = _e369;
+                    phi_481_ = _e371;
+                } else {
+                    phi_480_ = f32();
+                    phi_481_ = true;
+                }
+                let _e373 = phi_480_;
+                let _e375 = phi_481_;
+                if _e375 {
+                    phi_485_ = _e350;
+                } else {
+                    phi_485_ = _e373;
+                }
+                let _e377 = phi_485_;
+                if (_e351 > -8388608f) {
+                    let _e389 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
+                    if (_e389 > _e351) {
+                        phi_505_ = 1f;
                     } else {
-                        phi_503_ = f32();
-                        phi_504_ = true;
+                        phi_505_ = 0f;
                     }
-                    let _e390 = phi_503_;
-                    let _e392 = phi_504_;
-                    phi_505_ = _e390;
-                    phi_506_ = _e392;
+                    let _e392 = phi_505_;
+                    if (_e351 < 8388608f) {
+                        phi_510_ = (_e389 - _e392);
+                        phi_511_ = false;
+                    } else {
+                        phi_510_ = f32();
+                        phi_511_ = true;
+                    }
+                    let _e395 = phi_510_;
+                    let _e397 = phi_511_;
+                    phi_512_ = _e395;
+                    phi_513_ = _e397;
                 } else {
-                    phi_505_ = f32();
-                    phi_506_ = true;
+                    phi_512_ = f32();
+                    phi_513_ = true;
                 }
-                let _e394 = phi_505_;
-                let _e396 = phi_506_;
-                if _e396 {
-                    phi_510_ = _e346;
+                let _e399 = phi_512_;
+                let _e401 = phi_513_;
+                if _e401 {
+                    phi_517_ = _e351;
                 } else {
-                    phi_510_ = _e394;
+                    phi_517_ = _e399;
                 }
-                let _e398 = phi_510_;
-                let _e399 = (_e345 - _e372);
-                let _e400 = (_e346 - _e398);
-                let _e409 = select(0i, select(select(i32(_e372), i32(-2147483648), (_e372 < bitcast<f32>(3472883712u))), 2147483647i, (_e372 > bitcast<f32>(1325400063u))), (_e372 == _e372));
-                let _e418 = select(0i, select(select(i32(_e398), i32(-2147483648), (_e398 < bitcast<f32>(3472883712u))), 2147483647i, (_e398 > bitcast<f32>(1325400063u))), (_e398 == _e398));
-                let _e429 = p.member.test;
-                let _e430 = _lt_math_pcf_Pcf_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e429, _e339);
-                let _e432 = p.member.map_size;
-                local = _e430;
-                let _e434 = (bitcast<i32>(_e432) - 1i);
-                if (_e409 > 0i) {
-                    phi_556_ = _e409;
+                let _e403 = phi_517_;
+                let _e404 = (_e350 - _e377);
+                let _e405 = (_e351 - _e403);
+                let _e414 = select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377));
+                let _e423 = select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < bitcast<f32>(3472883712u))), 2147483647i, (_e403 > bitcast<f32>(1325400063u))), (_e403 == _e403));
+                let _e434 = p.member.test;
+                let _e435 = _lt_math_pcf_Pcf_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
+                let _e437 = p.member.map_size;
+                local = _e435;
+                let _e439 = (bitcast<i32>(_e437) - 1i);
+                if (_e414 > 0i) {
+                    phi_563_ = _e414;
                 } else {
-                    phi_556_ = 0i;
+                    phi_563_ = 0i;
                 }
-                let _e437 = phi_556_;
-                if (_e418 > 0i) {
-                    phi_561_ = _e418;
+                let _e442 = phi_563_;
+                if (_e423 > 0i) {
+                    phi_568_ = _e423;
                 } else {
-                    phi_561_ = 0i;
+                    phi_568_ = 0i;
                 }
-                let _e440 = phi_561_;
-                if (_e437 < _e434) {
-                    phi_566_ = _e437;
+                let _e445 = phi_568_;
+                if (_e442 < _e439) {
+                    phi_573_ = _e442;
                 } else {
-                    phi_566_ = _e434;
+                    phi_573_ = _e439;
                 }
-                let _e443 = phi_566_;
-                if (_e440 < _e434) {
-                    phi_571_ = _e440;
+                let _e448 = phi_573_;
+                if (_e445 < _e439) {
+                    phi_578_ = _e445;
                 } else {
-                    phi_571_ = _e434;
+                    phi_578_ = _e439;
                 }
-                let _e446 = phi_571_;
-                let _e447 = bitcast<u32>(_e443);
-                let _e449 = (_e409 + 1i);
-                let _e450 = (_e418 + 1i);
-                if (_e449 > 0i) {
-                    phi_580_ = _e449;
+                let _e451 = phi_578_;
+                let _e452 = bitcast<u32>(_e448);
+                let _e454 = (_e414 + 1i);
+                let _e455 = (_e423 + 1i);
+                if (_e454 > 0i) {
+                    phi_587_ = _e454;
                 } else {
-                    phi_580_ = 0i;
+                    phi_587_ = 0i;
                 }
-                let _e453 = phi_580_;
-                if (_e450 > 0i) {
-                    phi_585_ = _e450;
+                let _e458 = phi_587_;
+                if (_e455 > 0i) {
+                    phi_592_ = _e455;
                 } else {
-                    phi_585_ = 0i;
+                    phi_592_ = 0i;
                 }
-                let _e456 = phi_585_;
-                if (_e453 < _e434) {
-                    phi_590_ = _e453;
+                let _e461 = phi_592_;
+                if (_e458 < _e439) {
+                    phi_597_ = _e458;
                 } else {
-                    phi_590_ = _e434;
+                    phi_597_ = _e439;
                 }
-                let _e459 = phi_590_;
-                if (_e456 < _e434) {
-                    phi_595_ = _e456;
+                let _e464 = phi_597_;
+                if (_e461 < _e439) {
+                    phi_602_ = _e461;
                 } else {
-                    phi_595_ = _e434;
+                    phi_602_ = _e439;
                 }
-                let _e462 = phi_595_;
-                let _e463 = bitcast<u32>(_e459);
-                let _e465 = (bitcast<u32>(_e446) * _e432);
-                let _e466 = (bitcast<u32>(_e462) * _e432);
-                let _e467 = (_e465 + _e447);
-                let _e468 = (_e465 + _e463);
-                let _e469 = (_e466 + _e447);
-                let _e470 = (_e466 + _e463);
-                if (_e467 < _e41) {
+                let _e467 = phi_602_;
+                let _e468 = bitcast<u32>(_e464);
+                let _e470 = (bitcast<u32>(_e451) * _e437);
+                let _e471 = (bitcast<u32>(_e467) * _e437);
+                let _e472 = (_e470 + _e452);
+                let _e473 = (_e470 + _e468);
+                let _e474 = (_e471 + _e452);
+                let _e475 = (_e471 + _e468);
+                if (_e472 < _e41) {
                 } else {
                     return;
                 }
-                let _e474 = map.member[(0u + _e467)];
-                if (_e468 < _e41) {
+                let _e479 = map.member[(0u + _e472)];
+                if (_e473 < _e41) {
                 } else {
                     return;
                 }
-                let _e478 = map.member[(0u + _e468)];
-                if (_e469 < _e41) {
+                let _e483 = map.member[(0u + _e473)];
+                if (_e474 < _e41) {
                 } else {
                     return;
                 }
-                let _e482 = map.member[(0u + _e469)];
-                if (_e470 < _e41) {
+                let _e487 = map.member[(0u + _e474)];
+                if (_e475 < _e41) {
                 } else {
                     return;
                 }
-                let _e486 = map.member[(0u + _e470)];
-                let _e488 = _lt_math_pcf_Pcf_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e474, _e478, _e482, _e486), vec4<f32>(((1f - _e399) * (1f - _e400)), (_e399 * (1f - _e400)), ((1f - _e399) * _e400), (_e399 * _e400)), _e231);
-                phi_636_ = evaluate_Verdict(_e488, false);
-                phi_637_ = evaluate_Verdict();
-                phi_638_ = false;
+                let _e491 = map.member[(0u + _e475)];
+                let _e493 = _lt_math_pcf_Pcf_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e479, _e483, _e487, _e491), vec4<f32>(((1f - _e404) * (1f - _e405)), (_e404 * (1f - _e405)), ((1f - _e404) * _e405), (_e404 * _e405)), _e344);
+                phi_643_ = evaluate_Verdict(_e493, false);
+                phi_644_ = evaluate_Verdict();
+                phi_645_ = false;
             } else {
-                phi_636_ = evaluate_Verdict();
-                phi_637_ = evaluate_Verdict(1f, false);
-                phi_638_ = true;
+                phi_643_ = evaluate_Verdict();
+                phi_644_ = evaluate_Verdict(1f, false);
+                phi_645_ = true;
             }
-            let _e492 = phi_636_;
-            let _e494 = phi_637_;
-            let _e496 = phi_638_;
-            phi_639_ = _e494;
-            phi_640_ = _e492;
-            phi_641_ = _e496;
+            let _e497 = phi_643_;
+            let _e499 = phi_644_;
+            let _e501 = phi_645_;
+            phi_646_ = _e499;
+            phi_647_ = _e497;
+            phi_648_ = _e501;
         }
-        let _e498 = phi_639_;
-        let _e500 = phi_640_;
-        let _e502 = phi_641_;
-        if _e502 {
-            phi_645_ = _e498;
+        let _e503 = phi_646_;
+        let _e505 = phi_647_;
+        let _e507 = phi_648_;
+        if _e507 {
+            phi_652_ = _e503;
         } else {
-            phi_645_ = _e500;
+            phi_652_ = _e505;
         }
-        let _e504 = phi_645_;
+        let _e509 = phi_652_;
         if (_e50.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e50.first_primitive)] = _e504.visibility;
+        visibility.member[(0u + _e50.first_primitive)] = _e509.visibility;
     }
     return;
 }

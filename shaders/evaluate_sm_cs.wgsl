@@ -100,126 +100,126 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_3: ptr<function, f32>, param_4: vec4<f32>, param_5: f32) -> f32 {
-    var phi_751_: f32;
-    var phi_752_: f32;
-    var phi_753_: f32;
-    var phi_770_: f32;
-    var phi_771_: f32;
-    var phi_772_: f32;
+    var phi_755_: f32;
+    var phi_756_: f32;
+    var phi_757_: f32;
+    var phi_774_: f32;
+    var phi_775_: f32;
+    var phi_776_: f32;
 
     let _e37 = (*param_3);
     let _e38 = (param_4.x + _e37);
     if ((bitcast<u32>(param_5) & 2147483647u) > 2139095040u) {
-        phi_753_ = param_5;
+        phi_757_ = param_5;
     } else {
         if (param_5 < 0f) {
-            phi_752_ = 0f;
+            phi_756_ = 0f;
         } else {
             if (param_5 > 1f) {
-                phi_751_ = 1f;
+                phi_755_ = 1f;
             } else {
-                phi_751_ = param_5;
+                phi_755_ = param_5;
             }
-            let _e45 = phi_751_;
-            phi_752_ = _e45;
+            let _e45 = phi_755_;
+            phi_756_ = _e45;
         }
-        let _e47 = phi_752_;
-        phi_753_ = _e47;
+        let _e47 = phi_756_;
+        phi_757_ = _e47;
     }
-    let _e49 = phi_753_;
+    let _e49 = phi_757_;
     if ((bitcast<u32>(_e38) & 2147483647u) > 2139095040u) {
-        phi_772_ = _e38;
+        phi_776_ = _e38;
     } else {
         if ((bitcast<u32>(_e49) & 2147483647u) > 2139095040u) {
-            phi_771_ = _e49;
+            phi_775_ = _e49;
         } else {
             if (_e38 < _e49) {
-                phi_770_ = 0f;
+                phi_774_ = 0f;
             } else {
-                phi_770_ = 1f;
+                phi_774_ = 1f;
             }
-            let _e58 = phi_770_;
-            phi_771_ = _e58;
+            let _e58 = phi_774_;
+            phi_775_ = _e58;
         }
-        let _e60 = phi_771_;
-        phi_772_ = _e60;
+        let _e60 = phi_775_;
+        phi_776_ = _e60;
     }
-    let _e62 = phi_772_;
+    let _e62 = phi_776_;
     return _e62;
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6: f32) -> vec4<f32> {
-    var phi_726_: f32;
-    var phi_727_: f32;
-    var phi_728_: f32;
+    var phi_730_: f32;
+    var phi_731_: f32;
+    var phi_732_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_728_ = param_6;
+        phi_732_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_727_ = 0f;
+            phi_731_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_726_ = 1f;
+                phi_730_ = 1f;
             } else {
-                phi_726_ = param_6;
+                phi_730_ = param_6;
             }
-            let _e40 = phi_726_;
-            phi_727_ = _e40;
+            let _e40 = phi_730_;
+            phi_731_ = _e40;
         }
-        let _e42 = phi_727_;
-        phi_728_ = _e42;
+        let _e42 = phi_731_;
+        phi_732_ = _e42;
     }
-    let _e44 = phi_728_;
+    let _e44 = phi_732_;
     return vec4<f32>(_e44, 0f, 0f, 0f);
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_7: ptr<function, f32>, param_8: vec4<f32>, param_9: vec4<f32>, param_10: f32) -> f32 {
-    var phi_689_: f32;
-    var phi_690_: f32;
-    var phi_698_: f32;
-    var phi_699_: f32;
-    var phi_706_: f32;
-    var phi_709_: f32;
+    var phi_693_: f32;
+    var phi_694_: f32;
+    var phi_702_: f32;
+    var phi_703_: f32;
+    var phi_710_: f32;
+    var phi_713_: f32;
 
     let _e43 = (((param_9.x + param_9.y) + param_9.z) + param_9.w);
     if ((bitcast<u32>(_e43) & 2147483647u) > 2139095040u) {
-        phi_709_ = _e43;
+        phi_713_ = _e43;
     } else {
         if (param_9.y > param_9.x) {
-            phi_689_ = param_8.y;
-            phi_690_ = param_9.y;
+            phi_693_ = param_8.y;
+            phi_694_ = param_9.y;
         } else {
-            phi_689_ = param_8.x;
-            phi_690_ = param_9.x;
+            phi_693_ = param_8.x;
+            phi_694_ = param_9.x;
         }
-        let _e54 = phi_689_;
-        let _e56 = phi_690_;
+        let _e54 = phi_693_;
+        let _e56 = phi_694_;
         if (param_9.z > _e56) {
-            phi_698_ = param_8.z;
-            phi_699_ = param_9.z;
+            phi_702_ = param_8.z;
+            phi_703_ = param_9.z;
         } else {
-            phi_698_ = _e54;
-            phi_699_ = _e56;
+            phi_702_ = _e54;
+            phi_703_ = _e56;
         }
-        let _e62 = phi_698_;
-        let _e64 = phi_699_;
+        let _e62 = phi_702_;
+        let _e64 = phi_703_;
         if (param_9.w > _e64) {
-            phi_706_ = param_8.w;
+            phi_710_ = param_8.w;
         } else {
-            phi_706_ = _e62;
+            phi_710_ = _e62;
         }
-        let _e69 = phi_706_;
+        let _e69 = phi_710_;
         let _e70 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e69);
         let _e71 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_7, _e70, param_10);
-        phi_709_ = _e71;
+        phi_713_ = _e71;
     }
-    let _e73 = phi_709_;
+    let _e73 = phi_713_;
     return _e73;
 }
 
-fn _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_11: vec4<f32>, param_12: f32) -> f32 {
-    return (param_11.x + (0.5f * param_12));
+fn _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_11: vec4<f32>) -> f32 {
+    return param_11.x;
 }
 
 fn function_() {
@@ -241,34 +241,35 @@ fn function_() {
     var phi_345_: bool;
     var phi_346_: bool;
     var phi_350_: bool;
-    var phi_440_: f32;
-    var phi_469_: f32;
-    var phi_474_: f32;
-    var phi_475_: bool;
+    var phi_444_: f32;
+    var phi_447_: f32;
     var phi_476_: f32;
-    var phi_477_: bool;
     var phi_481_: f32;
-    var phi_501_: f32;
-    var phi_506_: f32;
-    var phi_507_: bool;
+    var phi_482_: bool;
+    var phi_483_: f32;
+    var phi_484_: bool;
+    var phi_488_: f32;
     var phi_508_: f32;
-    var phi_509_: bool;
     var phi_513_: f32;
-    var phi_559_: i32;
-    var phi_564_: i32;
-    var phi_569_: i32;
-    var phi_574_: i32;
-    var phi_583_: i32;
-    var phi_588_: i32;
-    var phi_593_: i32;
-    var phi_598_: i32;
-    var phi_639_: evaluate_Verdict;
-    var phi_640_: evaluate_Verdict;
-    var phi_641_: bool;
-    var phi_642_: evaluate_Verdict;
-    var phi_643_: evaluate_Verdict;
-    var phi_644_: bool;
-    var phi_648_: evaluate_Verdict;
+    var phi_514_: bool;
+    var phi_515_: f32;
+    var phi_516_: bool;
+    var phi_520_: f32;
+    var phi_566_: i32;
+    var phi_571_: i32;
+    var phi_576_: i32;
+    var phi_581_: i32;
+    var phi_590_: i32;
+    var phi_595_: i32;
+    var phi_600_: i32;
+    var phi_605_: i32;
+    var phi_646_: evaluate_Verdict;
+    var phi_647_: evaluate_Verdict;
+    var phi_648_: bool;
+    var phi_649_: evaluate_Verdict;
+    var phi_650_: evaluate_Verdict;
+    var phi_651_: bool;
+    var phi_655_: evaluate_Verdict;
 
     let _e34 = id_1;
     let _e41 = arrayLength((&map.member));
@@ -333,9 +334,9 @@ fn function_() {
         }
         let _e165 = phi_245_;
         if _e165.unnamed_1 {
-            phi_642_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
-            phi_643_ = evaluate_Verdict();
-            phi_644_ = true;
+            phi_649_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
+            phi_650_ = evaluate_Verdict();
+            phi_651_ = true;
         } else {
             let _e173 = samples.member[(0u + _e50.first_primitive)].position;
             let _e179 = p.member.projection.row_w;
@@ -398,201 +399,207 @@ fn function_() {
             }
             let _e258 = phi_350_;
             if _e258 {
-                let _e260 = samples.member[(0u + _e50.first_primitive)].normal;
-                let _e262 = p.member.map_size;
-                let _e265 = p.member.projection.row_x;
-                let _e287 = p.member.projection.row_y;
-                let _e309 = p.member.projection.row_z;
-                let _e336 = ((abs(((((_e265.x * _e260.x) + (_e265.y * _e260.y)) + (_e265.z * _e260.z)) / (((_e265.x * _e265.x) + (_e265.y * _e265.y)) + (_e265.z * _e265.z)))) + abs(((((_e287.x * _e260.x) + (_e287.y * _e260.y)) + (_e287.z * _e260.z)) / (((_e287.x * _e287.x) + (_e287.y * _e287.y)) + (_e287.z * _e287.z))))) / (abs(((((_e309.x * _e260.x) + (_e309.y * _e260.y)) + (_e309.z * _e260.z)) / (((_e309.x * _e309.x) + (_e309.y * _e309.y)) + (_e309.z * _e309.z)))) * f32(_e262)));
-                if (_e336 < 0.002f) {
-                    phi_440_ = _e336;
-                } else {
-                    phi_440_ = 0.002f;
-                }
-                let _e339 = phi_440_;
-                let _e341 = p.member.map_size;
-                let _e342 = f32(_e341);
-                let _e345 = ((_e204 * _e342) - 0.5f);
-                let _e346 = ((_e218 * _e342) - 0.5f);
-                if (_e345 > -8388608f) {
-                    let _e358 = f32(select(0i, select(select(i32(_e345), i32(-2147483648), (_e345 < bitcast<f32>(3472883712u))), 2147483647i, (_e345 > bitcast<f32>(1325400063u))), (_e345 == _e345)));
-                    if (_e358 > _e345) {
-                        phi_469_ = 1f;
+                if (0.5f > 0f) {
+                    let _e261 = samples.member[(0u + _e50.first_primitive)].normal;
+                    let _e263 = p.member.map_size;
+                    let _e266 = p.member.projection.row_x;
+                    let _e288 = p.member.projection.row_y;
+                    let _e310 = p.member.projection.row_z;
+                    let _e337 = ((abs(((((_e266.x * _e261.x) + (_e266.y * _e261.y)) + (_e266.z * _e261.z)) / (((_e266.x * _e266.x) + (_e266.y * _e266.y)) + (_e266.z * _e266.z)))) + abs(((((_e288.x * _e261.x) + (_e288.y * _e261.y)) + (_e288.z * _e261.z)) / (((_e288.x * _e288.x) + (_e288.y * _e288.y)) + (_e288.z * _e288.z))))) / (abs(((((_e310.x * _e261.x) + (_e310.y * _e261.y)) + (_e310.z * _e261.z)) / (((_e310.x * _e310.x) + (_e310.y * _e310.y)) + (_e310.z * _e310.z)))) * f32(_e263)));
+                    if (_e337 < 0.002f) {
+                        phi_444_ = _e337;
                     } else {
-                        phi_469_ = 0f;
+                        phi_444_ = 0.002f;
                     }
-                    let _e361 = phi_469_;
-                    if (_e345 < 8388608f) {
-                        phi_474_ = (_e358 - _e361);
-                        phi_475_ = false;
+                    let _e340 = phi_444_;
+                    phi_447_ = (_e231 - (0.5f * _e340));
+                } else {
+                    phi_447_ = _e231;
+                }
+                let _e344 = phi_447_;
+                let _e346 = p.member.map_size;
+                let _e347 = f32(_e346);
+                let _e350 = ((_e204 * _e347) - 0.5f);
+                let _e351 = ((_e218 * _e347) - 0.5f);
+                if (_e350 > -8388608f) {
+                    let _e363 = f32(select(0i, select(select(i32(_e350), i32(-2147483648), (_e350 < bitcast<f32>(3472883712u))), 2147483647i, (_e350 > bitcast<f32>(1325400063u))), (_e350 == _e350)));
+                    if (_e363 > _e350) {
+                        phi_476_ = 1f;
                     } else {
-                        phi_474_ = f32();
-                        phi_475_ = true;
+                        phi_476_ = 0f;
                     }
-                    let _e364 = phi_474_;
-                    let _e366 = phi_475_;
-                    phi_476_ = _e364;
-                    phi_477_ = _e366;
-                } else {
-                    phi_476_ = f32();
-                    phi_477_ = true;
-                }
-                let _e368 = phi_476_;
-                let _e370 = phi_477_;
-                if _e370 {
-                    phi_481_ = _e345;
-                } else {
-                    phi_481_ = _e368;
-                }
-                let _e372 = phi_481_;
-                if (_e346 > -8388608f) {
-                    let _e384 = f32(select(0i, select(select(i32(_e346), i32(-2147483648), (_e346 < bitcast<f32>(3472883712u))), 2147483647i, (_e346 > bitcast<f32>(1325400063u))), (_e346 == _e346)));
-                    if (_e384 > _e346) {
-                        phi_501_ = 1f;
+                    let _e366 = phi_476_;
+                    if (_e350 < 8388608f) {
+                        phi_481_ = (_e363 - _e366);
+                        phi_482_ = false;
                     } else {
-                        phi_501_ = 0f;
+                        phi_481_ = f32();
+                        phi_482_ = true;
                     }
-                    let _e387 = phi_501_;
-                    if (_e346 < 8388608f) {
-                        phi_506_ = (_e384 - _e387);
-                        phi_507_ = false;
+                    let _e369 = phi_481_;
+                    let _e371 = phi_482_;
+                    phi_483_ = _e369;
+                    phi_484_ = _e371;
+                } else {
+                    phi_483_ = f32();
+                    phi_484_ = true;
+                }
+                let _e373 = phi_483_;
+                let _e375 = phi_484_;
+                if _e375 {
+                    phi_488_ = _e350;
+                } else {
+                    phi_488_ = _e373;
+                }
+                let _e377 = phi_488_;
+                if (_e351 > -8388608f) {
+                    let _e389 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
+                    if (_e389 > _e351) {
+                        phi_508_ = 1f;
                     } else {
-                        phi_506_ = f32();
-                        phi_507_ = true;
+                        phi_508_ = 0f;
                     }
-                    let _e390 = phi_506_;
-                    let _e392 = phi_507_;
-                    phi_508_ = _e390;
-                    phi_509_ = _e392;
+                    let _e392 = phi_508_;
+                    if (_e351 < 8388608f) {
+                        phi_513_ = (_e389 - _e392);
+                        phi_514_ = false;
+                    } else {
+                        phi_513_ = f32();
+                        phi_514_ = true;
+                    }
+                    let _e395 = phi_513_;
+                    let _e397 = phi_514_;
+                    phi_515_ = _e395;
+                    phi_516_ = _e397;
                 } else {
-                    phi_508_ = f32();
-                    phi_509_ = true;
+                    phi_515_ = f32();
+                    phi_516_ = true;
                 }
-                let _e394 = phi_508_;
-                let _e396 = phi_509_;
-                if _e396 {
-                    phi_513_ = _e346;
+                let _e399 = phi_515_;
+                let _e401 = phi_516_;
+                if _e401 {
+                    phi_520_ = _e351;
                 } else {
-                    phi_513_ = _e394;
+                    phi_520_ = _e399;
                 }
-                let _e398 = phi_513_;
-                let _e399 = (_e345 - _e372);
-                let _e400 = (_e346 - _e398);
-                let _e409 = select(0i, select(select(i32(_e372), i32(-2147483648), (_e372 < bitcast<f32>(3472883712u))), 2147483647i, (_e372 > bitcast<f32>(1325400063u))), (_e372 == _e372));
-                let _e418 = select(0i, select(select(i32(_e398), i32(-2147483648), (_e398 < bitcast<f32>(3472883712u))), 2147483647i, (_e398 > bitcast<f32>(1325400063u))), (_e398 == _e398));
-                let _e429 = p.member.test;
-                let _e430 = _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e429, _e339);
-                let _e432 = p.member.map_size;
-                local = _e430;
-                let _e434 = (bitcast<i32>(_e432) - 1i);
-                if (_e409 > 0i) {
-                    phi_559_ = _e409;
+                let _e403 = phi_520_;
+                let _e404 = (_e350 - _e377);
+                let _e405 = (_e351 - _e403);
+                let _e414 = select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377));
+                let _e423 = select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < bitcast<f32>(3472883712u))), 2147483647i, (_e403 > bitcast<f32>(1325400063u))), (_e403 == _e403));
+                let _e434 = p.member.test;
+                let _e435 = _lt_math_sm_Sm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
+                let _e437 = p.member.map_size;
+                local = _e435;
+                let _e439 = (bitcast<i32>(_e437) - 1i);
+                if (_e414 > 0i) {
+                    phi_566_ = _e414;
                 } else {
-                    phi_559_ = 0i;
+                    phi_566_ = 0i;
                 }
-                let _e437 = phi_559_;
-                if (_e418 > 0i) {
-                    phi_564_ = _e418;
+                let _e442 = phi_566_;
+                if (_e423 > 0i) {
+                    phi_571_ = _e423;
                 } else {
-                    phi_564_ = 0i;
+                    phi_571_ = 0i;
                 }
-                let _e440 = phi_564_;
-                if (_e437 < _e434) {
-                    phi_569_ = _e437;
+                let _e445 = phi_571_;
+                if (_e442 < _e439) {
+                    phi_576_ = _e442;
                 } else {
-                    phi_569_ = _e434;
+                    phi_576_ = _e439;
                 }
-                let _e443 = phi_569_;
-                if (_e440 < _e434) {
-                    phi_574_ = _e440;
+                let _e448 = phi_576_;
+                if (_e445 < _e439) {
+                    phi_581_ = _e445;
                 } else {
-                    phi_574_ = _e434;
+                    phi_581_ = _e439;
                 }
-                let _e446 = phi_574_;
-                let _e447 = bitcast<u32>(_e443);
-                let _e449 = (_e409 + 1i);
-                let _e450 = (_e418 + 1i);
-                if (_e449 > 0i) {
-                    phi_583_ = _e449;
+                let _e451 = phi_581_;
+                let _e452 = bitcast<u32>(_e448);
+                let _e454 = (_e414 + 1i);
+                let _e455 = (_e423 + 1i);
+                if (_e454 > 0i) {
+                    phi_590_ = _e454;
                 } else {
-                    phi_583_ = 0i;
+                    phi_590_ = 0i;
                 }
-                let _e453 = phi_583_;
-                if (_e450 > 0i) {
-                    phi_588_ = _e450;
+                let _e458 = phi_590_;
+                if (_e455 > 0i) {
+                    phi_595_ = _e455;
                 } else {
-                    phi_588_ = 0i;
+                    phi_595_ = 0i;
                 }
-                let _e456 = phi_588_;
-                if (_e453 < _e434) {
-                    phi_593_ = _e453;
+                let _e461 = phi_595_;
+                if (_e458 < _e439) {
+                    phi_600_ = _e458;
                 } else {
-                    phi_593_ = _e434;
+                    phi_600_ = _e439;
                 }
-                let _e459 = phi_593_;
-                if (_e456 < _e434) {
-                    phi_598_ = _e456;
+                let _e464 = phi_600_;
+                if (_e461 < _e439) {
+                    phi_605_ = _e461;
                 } else {
-                    phi_598_ = _e434;
+                    phi_605_ = _e439;
                 }
-                let _e462 = phi_598_;
-                let _e463 = bitcast<u32>(_e459);
-                let _e465 = (bitcast<u32>(_e446) * _e432);
-                let _e466 = (bitcast<u32>(_e462) * _e432);
-                let _e467 = (_e465 + _e447);
-                let _e468 = (_e465 + _e463);
-                let _e469 = (_e466 + _e447);
-                let _e470 = (_e466 + _e463);
-                if (_e467 < _e41) {
+                let _e467 = phi_605_;
+                let _e468 = bitcast<u32>(_e464);
+                let _e470 = (bitcast<u32>(_e451) * _e437);
+                let _e471 = (bitcast<u32>(_e467) * _e437);
+                let _e472 = (_e470 + _e452);
+                let _e473 = (_e470 + _e468);
+                let _e474 = (_e471 + _e452);
+                let _e475 = (_e471 + _e468);
+                if (_e472 < _e41) {
                 } else {
                     return;
                 }
-                let _e474 = map.member[(0u + _e467)];
-                if (_e468 < _e41) {
+                let _e479 = map.member[(0u + _e472)];
+                if (_e473 < _e41) {
                 } else {
                     return;
                 }
-                let _e478 = map.member[(0u + _e468)];
-                if (_e469 < _e41) {
+                let _e483 = map.member[(0u + _e473)];
+                if (_e474 < _e41) {
                 } else {
                     return;
                 }
-                let _e482 = map.member[(0u + _e469)];
-                if (_e470 < _e41) {
+                let _e487 = map.member[(0u + _e474)];
+                if (_e475 < _e41) {
                 } else {
                     return;
                 }
-                let _e486 = map.member[(0u + _e470)];
-                let _e488 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e474, _e478, _e482, _e486), vec4<f32>(((1f - _e399) * (1f - _e400)), (_e399 * (1f - _e400)), ((1f - _e399) * _e400), (_e399 * _e400)), _e231);
-                phi_639_ = evaluate_Verdict(_e488, false);
-                phi_640_ = evaluate_Verdict();
-                phi_641_ = false;
+                let _e491 = map.member[(0u + _e475)];
+                let _e493 = _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e479, _e483, _e487, _e491), vec4<f32>(((1f - _e404) * (1f - _e405)), (_e404 * (1f - _e405)), ((1f - _e404) * _e405), (_e404 * _e405)), _e344);
+                phi_646_ = evaluate_Verdict(_e493, false);
+                phi_647_ = evaluate_Verdict();
+                phi_648_ = false;
             } else {
-                phi_639_ = evaluate_Verdict();
-                phi_640_ = evaluate_Verdict(1f, false);
-                phi_641_ = true;
+                phi_646_ = evaluate_Verdict();
+                phi_647_ = evaluate_Verdict(1f, false);
+                phi_648_ = true;
             }
-            let _e492 = phi_639_;
-            let _e494 = phi_640_;
-            let _e496 = phi_641_;
-            phi_642_ = _e494;
-            phi_643_ = _e492;
-            phi_644_ = _e496;
+            let _e497 = phi_646_;
+            let _e499 = phi_647_;
+            let _e501 = phi_648_;
+            phi_649_ = _e499;
+            phi_650_ = _e497;
+            phi_651_ = _e501;
         }
-        let _e498 = phi_642_;
-        let _e500 = phi_643_;
-        let _e502 = phi_644_;
-        if _e502 {
-            phi_648_ = _e498;
+        let _e503 = phi_649_;
+        let _e505 = phi_650_;
+        let _e507 = phi_651_;
+        if _e507 {
+            phi_655_ = _e503;
         } else {
-            phi_648_ = _e500;
+            phi_655_ = _e505;
         }
-        let _e504 = phi_648_;
+        let _e509 = phi_655_;
         if (_e50.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e50.first_primitive)] = _e504.visibility;
+        visibility.member[(0u + _e50.first_primitive)] = _e509.visibility;
     }
     return;
 }

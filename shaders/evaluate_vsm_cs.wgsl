@@ -66,37 +66,37 @@ var<storage> map: type_21;
 var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_121_: lt_bvh_traverse_Tree;
-    var phi_122_: bool;
     var phi_123_: lt_bvh_traverse_Tree;
     var phi_124_: bool;
-    var phi_129_: lt_bvh_traverse_Tree;
+    var phi_125_: lt_bvh_traverse_Tree;
+    var phi_126_: bool;
+    var phi_131_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_121_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_122_ = false;
+            phi_123_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_124_ = false;
         } else {
-            phi_121_ = lt_bvh_traverse_Tree();
-            phi_122_ = true;
+            phi_123_ = lt_bvh_traverse_Tree();
+            phi_124_ = true;
         }
-        let _e45 = phi_121_;
-        let _e47 = phi_122_;
-        phi_123_ = _e45;
-        phi_124_ = _e47;
+        let _e46 = phi_123_;
+        let _e48 = phi_124_;
+        phi_125_ = _e46;
+        phi_126_ = _e48;
     } else {
-        phi_123_ = lt_bvh_traverse_Tree();
-        phi_124_ = true;
+        phi_125_ = lt_bvh_traverse_Tree();
+        phi_126_ = true;
     }
-    let _e49 = phi_123_;
-    let _e51 = phi_124_;
-    if _e51 {
-        phi_129_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e50 = phi_125_;
+    let _e52 = phi_126_;
+    if _e52 {
+        phi_131_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_129_ = _e49;
+        phi_131_ = _e50;
     }
-    let _e56 = phi_129_;
-    return lt_bvh_traverse_Tree(_e56.root, _e56.first_primitive);
+    let _e57 = phi_131_;
+    return lt_bvh_traverse_Tree(_e57.root, _e57.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -104,540 +104,560 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_591_: f32;
-    var phi_592_: f32;
-    var phi_593_: f32;
-    var phi_609_: f32;
-    var phi_610_: f32;
-    var phi_611_: f32;
-    var phi_627_: f32;
-    var phi_628_: f32;
-    var phi_629_: f32;
-    var phi_645_: f32;
-    var phi_646_: f32;
-    var phi_647_: f32;
-    var phi_663_: f32;
-    var phi_664_: f32;
-    var phi_665_: f32;
-    var phi_711_: bool;
-    var phi_715_: f32;
-    var phi_727_: bool;
-    var phi_734_: f32;
-    var phi_749_: f32;
-    var phi_750_: f32;
-    var phi_751_: f32;
+    var phi_683_: f32;
+    var phi_684_: f32;
+    var phi_685_: f32;
+    var phi_701_: f32;
+    var phi_702_: f32;
+    var phi_703_: f32;
+    var phi_719_: f32;
+    var phi_720_: f32;
+    var phi_721_: f32;
+    var phi_737_: f32;
+    var phi_738_: f32;
+    var phi_739_: f32;
+    var phi_755_: f32;
+    var phi_756_: f32;
+    var phi_757_: f32;
+    var phi_803_: bool;
+    var phi_807_: f32;
+    var phi_819_: bool;
+    var phi_826_: f32;
+    var phi_841_: f32;
+    var phi_842_: f32;
+    var phi_843_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_593_ = param_7;
+        phi_685_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_592_ = 0f;
+            phi_684_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_591_ = 1f;
+                phi_683_ = 1f;
             } else {
-                phi_591_ = param_7;
+                phi_683_ = param_7;
             }
-            let _e42 = phi_591_;
-            phi_592_ = _e42;
+            let _e43 = phi_683_;
+            phi_684_ = _e43;
         }
-        let _e44 = phi_592_;
-        phi_593_ = _e44;
+        let _e45 = phi_684_;
+        phi_685_ = _e45;
     }
-    let _e46 = phi_593_;
+    let _e47 = phi_685_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_611_ = param_5.x;
+        phi_703_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_610_ = 0f;
+            phi_702_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_609_ = 1f;
+                phi_701_ = 1f;
             } else {
-                phi_609_ = param_5.x;
+                phi_701_ = param_5.x;
             }
-            let _e54 = phi_609_;
-            phi_610_ = _e54;
+            let _e55 = phi_701_;
+            phi_702_ = _e55;
         }
-        let _e56 = phi_610_;
-        phi_611_ = _e56;
+        let _e57 = phi_702_;
+        phi_703_ = _e57;
     }
-    let _e58 = phi_611_;
+    let _e59 = phi_703_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_629_ = param_5.y;
+        phi_721_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_628_ = 0f;
+            phi_720_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_627_ = 1f;
+                phi_719_ = 1f;
             } else {
-                phi_627_ = param_5.y;
+                phi_719_ = param_5.y;
             }
-            let _e66 = phi_627_;
-            phi_628_ = _e66;
+            let _e67 = phi_719_;
+            phi_720_ = _e67;
         }
-        let _e68 = phi_628_;
-        phi_629_ = _e68;
+        let _e69 = phi_720_;
+        phi_721_ = _e69;
     }
-    let _e70 = phi_629_;
+    let _e71 = phi_721_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_647_ = param_5.z;
+        phi_739_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_646_ = 0f;
+            phi_738_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_645_ = 1f;
+                phi_737_ = 1f;
             } else {
-                phi_645_ = param_5.z;
+                phi_737_ = param_5.z;
             }
-            let _e78 = phi_645_;
-            phi_646_ = _e78;
+            let _e79 = phi_737_;
+            phi_738_ = _e79;
         }
-        let _e80 = phi_646_;
-        phi_647_ = _e80;
+        let _e81 = phi_738_;
+        phi_739_ = _e81;
     }
-    let _e82 = phi_647_;
+    let _e83 = phi_739_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_665_ = param_5.w;
+        phi_757_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_664_ = 0f;
+            phi_756_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_663_ = 1f;
+                phi_755_ = 1f;
             } else {
-                phi_663_ = param_5.w;
+                phi_755_ = param_5.w;
             }
-            let _e90 = phi_663_;
-            phi_664_ = _e90;
+            let _e91 = phi_755_;
+            phi_756_ = _e91;
         }
-        let _e92 = phi_664_;
-        phi_665_ = _e92;
+        let _e93 = phi_756_;
+        phi_757_ = _e93;
     }
-    let _e94 = phi_665_;
-    let _e95 = (_e58 - _e46);
-    let _e96 = (_e70 - _e46);
-    let _e97 = (_e82 - _e46);
-    let _e98 = (_e94 - _e46);
-    let _e99 = (*param_4);
-    let _e110 = ((((_e95 * param_6.x) + (_e96 * param_6.y)) + (_e97 * param_6.z)) + (_e98 * param_6.w));
-    let _e111 = (_e95 - _e110);
-    let _e112 = (_e96 - _e110);
-    let _e113 = (_e97 - _e110);
-    let _e114 = (_e98 - _e110);
-    let _e129 = (((((_e111 * _e111) * param_6.x) + ((_e112 * _e112) * param_6.y)) + ((_e113 * _e113) * param_6.z)) + ((_e114 * _e114) * param_6.w));
-    if ((bitcast<u32>(_e99) & 2147483647u) > 2139095040u) {
-        phi_711_ = true;
+    let _e95 = phi_757_;
+    let _e96 = (_e59 - _e47);
+    let _e97 = (_e71 - _e47);
+    let _e98 = (_e83 - _e47);
+    let _e99 = (_e95 - _e47);
+    let _e100 = (*param_4);
+    let _e111 = ((((_e96 * param_6.x) + (_e97 * param_6.y)) + (_e98 * param_6.z)) + (_e99 * param_6.w));
+    let _e112 = (_e96 - _e111);
+    let _e113 = (_e97 - _e111);
+    let _e114 = (_e98 - _e111);
+    let _e115 = (_e99 - _e111);
+    let _e130 = (((((_e112 * _e112) * param_6.x) + ((_e113 * _e113) * param_6.y)) + ((_e114 * _e114) * param_6.z)) + ((_e115 * _e115) * param_6.w));
+    if ((bitcast<u32>(_e100) & 2147483647u) > 2139095040u) {
+        phi_803_ = true;
     } else {
-        let _e133 = (_e99 > _e129);
-        if _e133 {
+        let _e134 = (_e100 > _e130);
+        if _e134 {
         }
-        phi_711_ = _e133;
+        phi_803_ = _e134;
     }
-    let _e135 = phi_711_;
-    if _e135 {
-        phi_715_ = _e99;
+    let _e136 = phi_803_;
+    if _e136 {
+        phi_807_ = _e100;
     } else {
-        phi_715_ = _e129;
+        phi_807_ = _e130;
     }
-    let _e137 = phi_715_;
-    let _e138 = -(_e110);
-    if (_e138 <= 0f) {
-        let _e142 = ((bitcast<u32>(_e137) & 2147483647u) > 2139095040u);
-        if _e142 {
+    let _e138 = phi_807_;
+    let _e139 = -(_e111);
+    if (_e139 <= 0f) {
+        let _e143 = ((bitcast<u32>(_e138) & 2147483647u) > 2139095040u);
+        if _e143 {
         }
-        phi_727_ = _e142;
+        phi_819_ = _e143;
     } else {
-        phi_727_ = true;
+        phi_819_ = true;
     }
-    let _e144 = phi_727_;
-    if _e144 {
-        phi_734_ = (_e137 / (_e137 + (_e138 * _e138)));
+    let _e145 = phi_819_;
+    if _e145 {
+        phi_826_ = (_e138 / (_e138 + (_e139 * _e139)));
     } else {
-        phi_734_ = 1f;
+        phi_826_ = 1f;
     }
-    let _e149 = phi_734_;
-    if ((bitcast<u32>(_e149) & 2147483647u) > 2139095040u) {
-        phi_751_ = _e149;
+    let _e150 = phi_826_;
+    if ((bitcast<u32>(_e150) & 2147483647u) > 2139095040u) {
+        phi_843_ = _e150;
     } else {
-        if (_e149 < 0f) {
-            phi_750_ = 0f;
+        if (_e150 < 0f) {
+            phi_842_ = 0f;
         } else {
-            if (_e149 > 1f) {
-                phi_749_ = 1f;
+            if (_e150 > 1f) {
+                phi_841_ = 1f;
             } else {
-                phi_749_ = _e149;
+                phi_841_ = _e150;
             }
-            let _e156 = phi_749_;
-            phi_750_ = _e156;
+            let _e157 = phi_841_;
+            phi_842_ = _e157;
         }
-        let _e158 = phi_750_;
-        phi_751_ = _e158;
+        let _e159 = phi_842_;
+        phi_843_ = _e159;
     }
-    let _e160 = phi_751_;
-    return _e160;
+    let _e161 = phi_843_;
+    return _e161;
 }
 
 fn function_() {
     var local: f32;
-    var phi_189_: bool;
-    var phi_190_: bool;
     var phi_191_: bool;
     var phi_192_: bool;
-    var phi_196_: bool;
-    var phi_240_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_244_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_321_: bool;
-    var phi_330_: bool;
-    var phi_339_: bool;
-    var phi_340_: bool;
+    var phi_193_: bool;
+    var phi_194_: bool;
+    var phi_198_: bool;
+    var phi_242_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_246_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_323_: bool;
+    var phi_332_: bool;
     var phi_341_: bool;
     var phi_342_: bool;
     var phi_343_: bool;
     var phi_344_: bool;
     var phi_345_: bool;
-    var phi_349_: bool;
-    var phi_385_: f32;
-    var phi_390_: f32;
-    var phi_391_: bool;
-    var phi_392_: f32;
-    var phi_393_: bool;
-    var phi_397_: f32;
-    var phi_417_: f32;
-    var phi_422_: f32;
-    var phi_423_: bool;
-    var phi_424_: f32;
-    var phi_425_: bool;
-    var phi_429_: f32;
-    var phi_475_: i32;
-    var phi_480_: i32;
-    var phi_485_: i32;
-    var phi_490_: i32;
-    var phi_499_: i32;
-    var phi_504_: i32;
-    var phi_509_: i32;
-    var phi_514_: i32;
-    var phi_555_: evaluate_Verdict;
-    var phi_556_: evaluate_Verdict;
-    var phi_557_: bool;
-    var phi_558_: evaluate_Verdict;
-    var phi_559_: evaluate_Verdict;
-    var phi_560_: bool;
-    var phi_564_: evaluate_Verdict;
+    var phi_346_: bool;
+    var phi_347_: bool;
+    var phi_351_: bool;
+    var phi_445_: f32;
+    var phi_448_: f32;
+    var phi_477_: f32;
+    var phi_482_: f32;
+    var phi_483_: bool;
+    var phi_484_: f32;
+    var phi_485_: bool;
+    var phi_489_: f32;
+    var phi_509_: f32;
+    var phi_514_: f32;
+    var phi_515_: bool;
+    var phi_516_: f32;
+    var phi_517_: bool;
+    var phi_521_: f32;
+    var phi_567_: i32;
+    var phi_572_: i32;
+    var phi_577_: i32;
+    var phi_582_: i32;
+    var phi_591_: i32;
+    var phi_596_: i32;
+    var phi_601_: i32;
+    var phi_606_: i32;
+    var phi_647_: evaluate_Verdict;
+    var phi_648_: evaluate_Verdict;
+    var phi_649_: bool;
+    var phi_650_: evaluate_Verdict;
+    var phi_651_: evaluate_Verdict;
+    var phi_652_: bool;
+    var phi_656_: evaluate_Verdict;
 
-    let _e33 = id_1;
-    let _e40 = arrayLength((&map.member));
-    let _e46 = p.member.size[0u];
-    let _e48 = p.member.size[1u];
-    let _e49 = lt_shaders_entry_pixel_index(_e33, _e46, _e48);
-    if (bitcast<i32>(_e49.root) != 0i) {
-        if (_e49.first_primitive < arrayLength((&samples.member))) {
+    let _e34 = id_1;
+    let _e41 = arrayLength((&map.member));
+    let _e47 = p.member.size[0u];
+    let _e49 = p.member.size[1u];
+    let _e50 = lt_shaders_entry_pixel_index(_e34, _e47, _e49);
+    if (bitcast<i32>(_e50.root) != 0i) {
+        if (_e50.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e58 = p.member.light;
-        let _e61 = samples.member[(0u + _e49.first_primitive)].normal[0u];
-        let _e63 = global[0u];
-        if (_e61 == _e63) {
-            let _e66 = samples.member[(0u + _e49.first_primitive)].normal[1u];
-            let _e68 = global[1u];
-            if (_e66 == _e68) {
-                let _e71 = samples.member[(0u + _e49.first_primitive)].normal[2u];
-                let _e73 = global[2u];
-                phi_189_ = (_e71 == _e73);
-                phi_190_ = false;
+        let _e59 = p.member.light;
+        let _e62 = samples.member[(0u + _e50.first_primitive)].normal[0u];
+        let _e64 = global[0u];
+        if (_e62 == _e64) {
+            let _e67 = samples.member[(0u + _e50.first_primitive)].normal[1u];
+            let _e69 = global[1u];
+            if (_e67 == _e69) {
+                let _e72 = samples.member[(0u + _e50.first_primitive)].normal[2u];
+                let _e74 = global[2u];
+                phi_191_ = (_e72 == _e74);
+                phi_192_ = false;
             } else {
-                phi_189_ = bool();
-                phi_190_ = true;
+                phi_191_ = bool();
+                phi_192_ = true;
             }
-            let _e76 = phi_189_;
-            let _e78 = phi_190_;
-            phi_191_ = _e76;
-            phi_192_ = _e78;
+            let _e77 = phi_191_;
+            let _e79 = phi_192_;
+            phi_193_ = _e77;
+            phi_194_ = _e79;
         } else {
-            phi_191_ = bool();
-            phi_192_ = true;
+            phi_193_ = bool();
+            phi_194_ = true;
         }
-        let _e80 = phi_191_;
-        let _e82 = phi_192_;
-        if _e82 {
-            phi_196_ = false;
+        let _e81 = phi_193_;
+        let _e83 = phi_194_;
+        if _e83 {
+            phi_198_ = false;
         } else {
-            phi_196_ = _e80;
+            phi_198_ = _e81;
         }
-        let _e84 = phi_196_;
-        if !(_e84) {
-            let _e87 = samples.member[(0u + _e49.first_primitive)].normal;
-            let _e89 = samples.member[(0u + _e49.first_primitive)].position;
-            if ((((_e87.x * (_e58.x - (_e89.x * _e58.w))) + (_e87.y * (_e58.y - (_e89.y * _e58.w)))) + (_e87.z * (_e58.z - (_e89.z * _e58.w)))) > 0f) {
-                let _e113 = samples.member[(0u + _e49.first_primitive)].flags;
-                let _e121 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e127 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e121.unnamed.visibility, false), _e121.unnamed_1);
-                phi_240_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e127.unnamed, ((_e113 & 1u) == 0u));
+        let _e85 = phi_198_;
+        if !(_e85) {
+            let _e88 = samples.member[(0u + _e50.first_primitive)].normal;
+            let _e90 = samples.member[(0u + _e50.first_primitive)].position;
+            if ((((_e88.x * (_e59.x - (_e90.x * _e59.w))) + (_e88.y * (_e59.y - (_e90.y * _e59.w)))) + (_e88.z * (_e59.z - (_e90.z * _e59.w)))) > 0f) {
+                let _e114 = samples.member[(0u + _e50.first_primitive)].flags;
+                let _e122 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e122.unnamed.visibility, false), _e122.unnamed_1);
+                phi_242_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e128.unnamed, ((_e114 & 1u) == 0u));
             } else {
-                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
-                phi_240_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, true);
+                let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
+                phi_242_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, true);
             }
-            let _e147 = phi_240_;
-            phi_244_ = _e147;
+            let _e148 = phi_242_;
+            phi_246_ = _e148;
         } else {
-            let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
-            phi_244_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
+            let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e154.unnamed.visibility, false), _e154.unnamed_1);
+            phi_246_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e160.unnamed, true);
         }
-        let _e164 = phi_244_;
-        if _e164.unnamed_1 {
-            phi_558_ = evaluate_Verdict(_e164.unnamed.visibility, _e164.unnamed.is_doubted);
-            phi_559_ = evaluate_Verdict();
-            phi_560_ = true;
+        let _e165 = phi_246_;
+        if _e165.unnamed_1 {
+            phi_650_ = evaluate_Verdict(_e165.unnamed.visibility, _e165.unnamed.is_doubted);
+            phi_651_ = evaluate_Verdict();
+            phi_652_ = true;
         } else {
-            let _e172 = samples.member[(0u + _e49.first_primitive)].position;
-            let _e178 = p.member.projection.row_w;
-            let _e189 = ((((_e178.x * _e172.x) + (_e178.y * _e172.y)) + (_e178.z * _e172.z)) + (_e178.w * 1f));
-            let _e191 = p.member.projection.row_x;
-            let _e203 = (((((_e191.x * _e172.x) + (_e191.y * _e172.y)) + (_e191.z * _e172.z)) + (_e191.w * 1f)) / _e189);
-            let _e205 = p.member.projection.row_y;
-            let _e217 = (((((_e205.x * _e172.x) + (_e205.y * _e172.y)) + (_e205.z * _e172.z)) + (_e205.w * 1f)) / _e189);
-            let _e219 = p.member.projection.row_z;
-            let _e230 = ((((_e219.x * _e172.x) + (_e219.y * _e172.y)) + (_e219.z * _e172.z)) + (_e219.w * 1f));
-            if (_e189 > 0f) {
-                if (_e203 >= 0f) {
-                    phi_321_ = (_e203 <= 1f);
+            let _e173 = samples.member[(0u + _e50.first_primitive)].position;
+            let _e179 = p.member.projection.row_w;
+            let _e190 = ((((_e179.x * _e173.x) + (_e179.y * _e173.y)) + (_e179.z * _e173.z)) + (_e179.w * 1f));
+            let _e192 = p.member.projection.row_x;
+            let _e204 = (((((_e192.x * _e173.x) + (_e192.y * _e173.y)) + (_e192.z * _e173.z)) + (_e192.w * 1f)) / _e190);
+            let _e206 = p.member.projection.row_y;
+            let _e218 = (((((_e206.x * _e173.x) + (_e206.y * _e173.y)) + (_e206.z * _e173.z)) + (_e206.w * 1f)) / _e190);
+            let _e220 = p.member.projection.row_z;
+            let _e231 = ((((_e220.x * _e173.x) + (_e220.y * _e173.y)) + (_e220.z * _e173.z)) + (_e220.w * 1f));
+            if (_e190 > 0f) {
+                if (_e204 >= 0f) {
+                    phi_323_ = (_e204 <= 1f);
                 } else {
-                    phi_321_ = false;
+                    phi_323_ = false;
                 }
-                let _e235 = phi_321_;
-                if _e235 {
-                    if (_e217 >= 0f) {
-                        phi_330_ = (_e217 <= 1f);
+                let _e236 = phi_323_;
+                if _e236 {
+                    if (_e218 >= 0f) {
+                        phi_332_ = (_e218 <= 1f);
                     } else {
-                        phi_330_ = false;
+                        phi_332_ = false;
                     }
-                    let _e239 = phi_330_;
-                    if _e239 {
-                        if (_e230 >= 0f) {
-                            phi_339_ = (_e230 <= 1f);
+                    let _e240 = phi_332_;
+                    if _e240 {
+                        if (_e231 >= 0f) {
+                            phi_341_ = (_e231 <= 1f);
                         } else {
-                            phi_339_ = false;
+                            phi_341_ = false;
                         }
-                        let _e243 = phi_339_;
-                        phi_340_ = _e243;
-                        phi_341_ = false;
+                        let _e244 = phi_341_;
+                        phi_342_ = _e244;
+                        phi_343_ = false;
                     } else {
-                        phi_340_ = bool();
-                        phi_341_ = true;
+                        phi_342_ = bool();
+                        phi_343_ = true;
                     }
-                    let _e245 = phi_340_;
-                    let _e247 = phi_341_;
-                    phi_342_ = _e245;
-                    phi_343_ = _e247;
+                    let _e246 = phi_342_;
+                    let _e248 = phi_343_;
+                    phi_344_ = _e246;
+                    phi_345_ = _e248;
                 } else {
-                    phi_342_ = bool();
-                    phi_343_ = true;
+                    phi_344_ = bool();
+                    phi_345_ = true;
                 }
-                let _e249 = phi_342_;
-                let _e251 = phi_343_;
-                phi_344_ = _e249;
-                phi_345_ = _e251;
+                let _e250 = phi_344_;
+                let _e252 = phi_345_;
+                phi_346_ = _e250;
+                phi_347_ = _e252;
             } else {
-                phi_344_ = bool();
-                phi_345_ = true;
+                phi_346_ = bool();
+                phi_347_ = true;
             }
-            let _e253 = phi_344_;
-            let _e255 = phi_345_;
-            if _e255 {
-                phi_349_ = false;
+            let _e254 = phi_346_;
+            let _e256 = phi_347_;
+            if _e256 {
+                phi_351_ = false;
             } else {
-                phi_349_ = _e253;
+                phi_351_ = _e254;
             }
-            let _e257 = phi_349_;
-            if _e257 {
-                let _e259 = p.member.map_size;
-                let _e260 = f32(_e259);
-                let _e263 = ((_e203 * _e260) - 0.5f);
-                let _e264 = ((_e217 * _e260) - 0.5f);
-                if (_e263 > -8388608f) {
-                    let _e276 = f32(select(0i, select(select(i32(_e263), i32(-2147483648), (_e263 < bitcast<f32>(3472883712u))), 2147483647i, (_e263 > bitcast<f32>(1325400063u))), (_e263 == _e263)));
-                    if (_e276 > _e263) {
-                        phi_385_ = 1f;
+            let _e258 = phi_351_;
+            if _e258 {
+                if (0f > 0f) {
+                    let _e261 = samples.member[(0u + _e50.first_primitive)].normal;
+                    let _e263 = p.member.map_size;
+                    let _e266 = p.member.projection.row_x;
+                    let _e288 = p.member.projection.row_y;
+                    let _e310 = p.member.projection.row_z;
+                    let _e337 = ((abs(((((_e266.x * _e261.x) + (_e266.y * _e261.y)) + (_e266.z * _e261.z)) / (((_e266.x * _e266.x) + (_e266.y * _e266.y)) + (_e266.z * _e266.z)))) + abs(((((_e288.x * _e261.x) + (_e288.y * _e261.y)) + (_e288.z * _e261.z)) / (((_e288.x * _e288.x) + (_e288.y * _e288.y)) + (_e288.z * _e288.z))))) / (abs(((((_e310.x * _e261.x) + (_e310.y * _e261.y)) + (_e310.z * _e261.z)) / (((_e310.x * _e310.x) + (_e310.y * _e310.y)) + (_e310.z * _e310.z)))) * f32(_e263)));
+                    if (_e337 < 0.002f) {
+                        phi_445_ = _e337;
                     } else {
-                        phi_385_ = 0f;
+                        phi_445_ = 0.002f;
                     }
-                    let _e279 = phi_385_;
-                    if (_e263 < 8388608f) {
-                        phi_390_ = (_e276 - _e279);
-                        phi_391_ = false;
+                    let _e340 = phi_445_;
+                    phi_448_ = (_e231 - (0f * _e340));
+                } else {
+                    phi_448_ = _e231;
+                }
+                let _e344 = phi_448_;
+                let _e346 = p.member.map_size;
+                let _e347 = f32(_e346);
+                let _e350 = ((_e204 * _e347) - 0.5f);
+                let _e351 = ((_e218 * _e347) - 0.5f);
+                if (_e350 > -8388608f) {
+                    let _e363 = f32(select(0i, select(select(i32(_e350), i32(-2147483648), (_e350 < bitcast<f32>(3472883712u))), 2147483647i, (_e350 > bitcast<f32>(1325400063u))), (_e350 == _e350)));
+                    if (_e363 > _e350) {
+                        phi_477_ = 1f;
                     } else {
-                        phi_390_ = f32();
-                        phi_391_ = true;
+                        phi_477_ = 0f;
                     }
-                    let _e282 = phi_390_;
-                    let _e284 = phi_391_;
-                    phi_392_ = _e282;
-                    phi_393_ = _e284;
-                } else {
-                    phi_392_ = f32();
-                    phi_393_ = true;
-                }
-                let _e286 = phi_392_;
-                let _e288 = phi_393_;
-                if _e288 {
-                    phi_397_ = _e263;
-                } else {
-                    phi_397_ = _e286;
-                }
-                let _e290 = phi_397_;
-                if (_e264 > -8388608f) {
-                    let _e302 = f32(select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)));
-                    if (_e302 > _e264) {
-                        phi_417_ = 1f;
+                    let _e366 = phi_477_;
+                    if (_e350 < 8388608f) {
+                        phi_482_ = (_e363 - _e366);
+                        phi_483_ = false;
                     } else {
-                        phi_417_ = 0f;
+                        phi_482_ = f32();
+                        phi_483_ = true;
                     }
-                    let _e305 = phi_417_;
-                    if (_e264 < 8388608f) {
-                        phi_422_ = (_e302 - _e305);
-                        phi_423_ = false;
+                    let _e369 = phi_482_;
+                    let _e371 = phi_483_;
+                    phi_484_ = _e369;
+                    phi_485_ = _e371;
+                } else {
+                    phi_484_ = f32();
+                    phi_485_ = true;
+                }
+                let _e373 = phi_484_;
+                let _e375 = phi_485_;
+                if _e375 {
+                    phi_489_ = _e350;
+                } else {
+                    phi_489_ = _e373;
+                }
+                let _e377 = phi_489_;
+                if (_e351 > -8388608f) {
+                    let _e389 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
+                    if (_e389 > _e351) {
+                        phi_509_ = 1f;
                     } else {
-                        phi_422_ = f32();
-                        phi_423_ = true;
+                        phi_509_ = 0f;
                     }
-                    let _e308 = phi_422_;
-                    let _e310 = phi_423_;
-                    phi_424_ = _e308;
-                    phi_425_ = _e310;
+                    let _e392 = phi_509_;
+                    if (_e351 < 8388608f) {
+                        phi_514_ = (_e389 - _e392);
+                        phi_515_ = false;
+                    } else {
+                        phi_514_ = f32();
+                        phi_515_ = true;
+                    }
+                    let _e395 = phi_514_;
+                    let _e397 = phi_515_;
+                    phi_516_ = _e395;
+                    phi_517_ = _e397;
                 } else {
-                    phi_424_ = f32();
-                    phi_425_ = true;
+                    phi_516_ = f32();
+                    phi_517_ = true;
                 }
-                let _e312 = phi_424_;
-                let _e314 = phi_425_;
-                if _e314 {
-                    phi_429_ = _e264;
+                let _e399 = phi_516_;
+                let _e401 = phi_517_;
+                if _e401 {
+                    phi_521_ = _e351;
                 } else {
-                    phi_429_ = _e312;
+                    phi_521_ = _e399;
                 }
-                let _e316 = phi_429_;
-                let _e317 = (_e263 - _e290);
-                let _e318 = (_e264 - _e316);
-                let _e327 = select(0i, select(select(i32(_e290), i32(-2147483648), (_e290 < bitcast<f32>(3472883712u))), 2147483647i, (_e290 > bitcast<f32>(1325400063u))), (_e290 == _e290));
-                let _e336 = select(0i, select(select(i32(_e316), i32(-2147483648), (_e316 < bitcast<f32>(3472883712u))), 2147483647i, (_e316 > bitcast<f32>(1325400063u))), (_e316 == _e316));
-                let _e347 = p.member.test;
-                let _e348 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e347);
-                let _e350 = p.member.map_size;
-                local = _e348;
-                let _e352 = (bitcast<i32>(_e350) - 1i);
-                if (_e327 > 0i) {
-                    phi_475_ = _e327;
+                let _e403 = phi_521_;
+                let _e404 = (_e350 - _e377);
+                let _e405 = (_e351 - _e403);
+                let _e414 = select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377));
+                let _e423 = select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < bitcast<f32>(3472883712u))), 2147483647i, (_e403 > bitcast<f32>(1325400063u))), (_e403 == _e403));
+                let _e434 = p.member.test;
+                let _e435 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
+                let _e437 = p.member.map_size;
+                local = _e435;
+                let _e439 = (bitcast<i32>(_e437) - 1i);
+                if (_e414 > 0i) {
+                    phi_567_ = _e414;
                 } else {
-                    phi_475_ = 0i;
+                    phi_567_ = 0i;
                 }
-                let _e355 = phi_475_;
-                if (_e336 > 0i) {
-                    phi_480_ = _e336;
+                let _e442 = phi_567_;
+                if (_e423 > 0i) {
+                    phi_572_ = _e423;
                 } else {
-                    phi_480_ = 0i;
+                    phi_572_ = 0i;
                 }
-                let _e358 = phi_480_;
-                if (_e355 < _e352) {
-                    phi_485_ = _e355;
+                let _e445 = phi_572_;
+                if (_e442 < _e439) {
+                    phi_577_ = _e442;
                 } else {
-                    phi_485_ = _e352;
+                    phi_577_ = _e439;
                 }
-                let _e361 = phi_485_;
-                if (_e358 < _e352) {
-                    phi_490_ = _e358;
+                let _e448 = phi_577_;
+                if (_e445 < _e439) {
+                    phi_582_ = _e445;
                 } else {
-                    phi_490_ = _e352;
+                    phi_582_ = _e439;
                 }
-                let _e364 = phi_490_;
-                let _e365 = bitcast<u32>(_e361);
-                let _e367 = (_e327 + 1i);
-                let _e368 = (_e336 + 1i);
-                if (_e367 > 0i) {
-                    phi_499_ = _e367;
+                let _e451 = phi_582_;
+                let _e452 = bitcast<u32>(_e448);
+                let _e454 = (_e414 + 1i);
+                let _e455 = (_e423 + 1i);
+                if (_e454 > 0i) {
+                    phi_591_ = _e454;
                 } else {
-                    phi_499_ = 0i;
+                    phi_591_ = 0i;
                 }
-                let _e371 = phi_499_;
-                if (_e368 > 0i) {
-                    phi_504_ = _e368;
+                let _e458 = phi_591_;
+                if (_e455 > 0i) {
+                    phi_596_ = _e455;
                 } else {
-                    phi_504_ = 0i;
+                    phi_596_ = 0i;
                 }
-                let _e374 = phi_504_;
-                if (_e371 < _e352) {
-                    phi_509_ = _e371;
+                let _e461 = phi_596_;
+                if (_e458 < _e439) {
+                    phi_601_ = _e458;
                 } else {
-                    phi_509_ = _e352;
+                    phi_601_ = _e439;
                 }
-                let _e377 = phi_509_;
-                if (_e374 < _e352) {
-                    phi_514_ = _e374;
+                let _e464 = phi_601_;
+                if (_e461 < _e439) {
+                    phi_606_ = _e461;
                 } else {
-                    phi_514_ = _e352;
+                    phi_606_ = _e439;
                 }
-                let _e380 = phi_514_;
-                let _e381 = bitcast<u32>(_e377);
-                let _e383 = (bitcast<u32>(_e364) * _e350);
-                let _e384 = (bitcast<u32>(_e380) * _e350);
-                let _e385 = (_e383 + _e365);
-                let _e386 = (_e383 + _e381);
-                let _e387 = (_e384 + _e365);
-                let _e388 = (_e384 + _e381);
-                if (_e385 < _e40) {
+                let _e467 = phi_606_;
+                let _e468 = bitcast<u32>(_e464);
+                let _e470 = (bitcast<u32>(_e451) * _e437);
+                let _e471 = (bitcast<u32>(_e467) * _e437);
+                let _e472 = (_e470 + _e452);
+                let _e473 = (_e470 + _e468);
+                let _e474 = (_e471 + _e452);
+                let _e475 = (_e471 + _e468);
+                if (_e472 < _e41) {
                 } else {
                     return;
                 }
-                let _e392 = map.member[(0u + _e385)];
-                if (_e386 < _e40) {
+                let _e479 = map.member[(0u + _e472)];
+                if (_e473 < _e41) {
                 } else {
                     return;
                 }
-                let _e396 = map.member[(0u + _e386)];
-                if (_e387 < _e40) {
+                let _e483 = map.member[(0u + _e473)];
+                if (_e474 < _e41) {
                 } else {
                     return;
                 }
-                let _e400 = map.member[(0u + _e387)];
-                if (_e388 < _e40) {
+                let _e487 = map.member[(0u + _e474)];
+                if (_e475 < _e41) {
                 } else {
                     return;
                 }
-                let _e404 = map.member[(0u + _e388)];
-                let _e406 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e392, _e396, _e400, _e404), vec4<f32>(((1f - _e317) * (1f - _e318)), (_e317 * (1f - _e318)), ((1f - _e317) * _e318), (_e317 * _e318)), _e230);
-                phi_555_ = evaluate_Verdict(_e406, false);
-                phi_556_ = evaluate_Verdict();
-                phi_557_ = false;
+                let _e491 = map.member[(0u + _e475)];
+                let _e493 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e479, _e483, _e487, _e491), vec4<f32>(((1f - _e404) * (1f - _e405)), (_e404 * (1f - _e405)), ((1f - _e404) * _e405), (_e404 * _e405)), _e344);
+                phi_647_ = evaluate_Verdict(_e493, false);
+                phi_648_ = evaluate_Verdict();
+                phi_649_ = false;
             } else {
-                phi_555_ = evaluate_Verdict();
-                phi_556_ = evaluate_Verdict(1f, false);
-                phi_557_ = true;
+                phi_647_ = evaluate_Verdict();
+                phi_648_ = evaluate_Verdict(1f, false);
+                phi_649_ = true;
             }
-            let _e410 = phi_555_;
-            let _e412 = phi_556_;
-            let _e414 = phi_557_;
-            phi_558_ = _e412;
-            phi_559_ = _e410;
-            phi_560_ = _e414;
+            let _e497 = phi_647_;
+            let _e499 = phi_648_;
+            let _e501 = phi_649_;
+            phi_650_ = _e499;
+            phi_651_ = _e497;
+            phi_652_ = _e501;
         }
-        let _e416 = phi_558_;
-        let _e418 = phi_559_;
-        let _e420 = phi_560_;
-        if _e420 {
-            phi_564_ = _e416;
+        let _e503 = phi_650_;
+        let _e505 = phi_651_;
+        let _e507 = phi_652_;
+        if _e507 {
+            phi_656_ = _e503;
         } else {
-            phi_564_ = _e418;
+            phi_656_ = _e505;
         }
-        let _e422 = phi_564_;
-        if (_e49.first_primitive < arrayLength((&visibility.member))) {
+        let _e509 = phi_656_;
+        if (_e50.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e49.first_primitive)] = _e422.visibility;
+        visibility.member[(0u + _e50.first_primitive)] = _e509.visibility;
     }
     return;
 }

@@ -15,7 +15,7 @@ fn clamped(base: u32, offset: i32, size: u32) -> u32 {
 
 /// First pass: the depths along a row, as vectors, blurred.
 pub fn filter_x<T: TestFromParams>(texel: UVec2, p: &FilterParams, depths: &[f32]) -> Vec4 {
-    let test = T::from_params(p.test, 0.0);
+    let test = T::from_params(p.test);
     let mut sum = Vec4::ZERO;
     let mut total = 0.0;
     let mut k = -RADIUS;
