@@ -1,6 +1,6 @@
 //! The wide tree of the CPU: exact boxes of eight children side by side, and triangles in blocks of eight.
 
-use crate::build::{BinaryTree, Bounds, LeafCost, WIDTH, WideTree};
+use crate::build::{BinaryTree, Bounds, LeafCost, WideTree};
 use crate::node::Node;
 use crate::ray::{FAR, NONE};
 use crate::traverse::MAX_DEPTH;
@@ -87,28 +87,27 @@ impl SimdTree {
     pub fn of_triangles(binary: Option<&BinaryTree>, triangles: &[Triangle], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
         let boxes: Vec<Bounds> = triangles.iter().map(crate::build::triangle_bounds).collect();
-        let mut blocks = Vec::new();
-        let mut tree = Self::collapse(binary, &boxes, BLOCK_LEAF, root, |leaf| {
-            blocks.push(block_of(leaf, triangles));
-            blocks.len() as u32 - 1
-        });
-        tree.blocks = blocks;
+        let (mut tree, leaves) = Self::collapse(binary, &boxes, BLOCK_LEAF, root, |number, _| number);
+        // Blocks are the largest part: they come once the boxes are gone, and at their exact number.
+        drop(boxes);
+        tree.blocks = leaves.iter().map(|leaf| block_of(leaf, triangles)).collect();
         tree
     }
 
     /// Over the boxes of instances in leaf order; `root` is the shared kernel's TLAS root.
     pub fn of_instances(binary: Option<&BinaryTree>, boxes: &[Bounds], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
-        Self::collapse(binary, boxes, INSTANCE_LEAF, root, |leaf| leaf[0])
+        Self::collapse(binary, boxes, INSTANCE_LEAF, root, |_, held| held[0]).0
     }
 
+    /// The nodes, and what each leaf holds. `link` says what a parent stores of a leaf, from its number and content.
     fn collapse(
         binary: &BinaryTree,
         boxes: &[Bounds],
         cost: LeafCost,
         root: &Node,
-        mut leaf: impl FnMut(&[u32]) -> u32,
-    ) -> Self {
+        link: impl Fn(u32, &[u32]) -> u32,
+    ) -> (Self, Leaves) {
         let mut bounds = binary.bounds(boxes);
         let balanced;
         let mut tree = binary;
@@ -121,7 +120,7 @@ impl SimdTree {
         }
         let base = root.low();
         let mut nodes = Vec::with_capacity(wide.nodes.len());
-        let mut held = Vec::with_capacity(WIDTH);
+        let mut leaves = Leaves { ends: Vec::new(), primitives: Vec::with_capacity(boxes.len()) };
         for index in 0..wide.nodes.len() {
             let mut node = NO_CHILD;
             let mut children = wide.children(index).to_vec();
@@ -137,13 +136,30 @@ impl SimdTree {
                     node.planes[2 * axis + 1][lane] = high[axis] - base[axis];
                 }
                 node.children[lane] = child.inner.unwrap_or_else(|| {
-                    held.clear();
-                    tree.primitives_under(child.binary, &mut held);
-                    LEAF | leaf(&held)
+                    let begin = leaves.primitives.len();
+                    tree.primitives_under(child.binary, &mut leaves.primitives);
+                    leaves.ends.push(leaves.primitives.len() as u32);
+                    LEAF | link(leaves.ends.len() as u32 - 1, &leaves.primitives[begin..])
                 });
             }
             nodes.push(node);
         }
-        SimdTree { nodes, blocks: Vec::new(), base, low: root.low(), high: root.high() }
+        (SimdTree { nodes, blocks: Vec::new(), base, low: root.low(), high: root.high() }, leaves)
+    }
+}
+
+/// What the leaves hold, one after the other.
+struct Leaves {
+    /// One past each leaf's last primitive.
+    ends: Vec<u32>,
+    primitives: Vec<u32>,
+}
+
+impl Leaves {
+    fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        (0..self.ends.len()).map(|leaf| {
+            let begin = if leaf == 0 { 0 } else { self.ends[leaf - 1] };
+            &self.primitives[begin as usize..self.ends[leaf] as usize]
+        })
     }
 }
