@@ -14,7 +14,7 @@ pub(crate) use binary::BinaryTree;
 pub(crate) use blas::triangle_bounds;
 pub use blas::{Bvh, Dropped};
 pub(crate) use bounds::Bounds;
-pub(crate) use collapse::{LeafCost, WIDTH, WideTree};
+pub(crate) use collapse::{LeafCost, WideTree};
 pub use error::BuildError;
 pub use quality::BuildQuality;
 pub(crate) use tlas::instance_bounds;
