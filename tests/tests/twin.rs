@@ -54,9 +54,8 @@ fn every_technique_agrees() {
             // Raw moments in f32 lose digits (variance and Hankel minors nearly cancel), so that the last bit of a depth is
             // amplified.
             let has_raw_moments = ["prefiltered", "msm"].iter().any(|w| technique.to_string().contains(w));
-            // 64,000 pixels: 20 ppm is one pixel, so allow what the bound means at 1080p per edge pixel instead.
-            let allowed = (pixels as f64 * if has_raw_moments { RAW_MOMENTS_PPM } else { TWIN_PPM } * 1e-6)
-                .max(8.0) as usize;
+            let bound_ppm = if has_raw_moments { RAW_MOMENTS_PPM } else { TWIN_PPM };
+            let allowed = (pixels as f64 * bound_ppm * 1e-6) as usize;
             assert!(wrong <= allowed, "{name} {technique}: {wrong} visibilities differ");
             assert!(doubts <= allowed, "{name} {technique}: {doubts} doubts differ");
             assert_eq!(
