@@ -2,12 +2,14 @@
 //!
 //! - `cargo xtask build-shaders` compiles `crates/lt-shaders` to SPIR-V and WGSL in `shaders/`; `--check`
 //!   proves that what is committed there belongs to the sources.
+//! - `cargo xtask bench-rays` measures occlusion rays and builds beside Intel Embree's and obvhs's.
 //! - `cargo xtask no-std` builds the `no_std` crates for targets that have no standard library.
 //! - `cargo xtask ci` is the gate: format, lints, documentation, `no-std`, shader freshness.
 //!
 //! Everything here runs on stable Rust; only compiling shaders asks for a nightly.
 
 mod backend;
+mod bench_rays;
 mod build_shaders;
 mod check_shaders;
 mod ci;
@@ -36,6 +38,8 @@ struct Cli {
 enum Command {
     /// Compile crates/lt-shaders into shaders/ (needs a nightly, which it names if missing)
     BuildShaders(build_shaders::Args),
+    /// Measure occlusion rays and builds beside Embree's (if libembree-dev is installed) and obvhs's
+    BenchRays(bench_rays::Args),
     /// Build the no_std crates for x86_64-unknown-none and thumbv7em-none-eabihf
     NoStd,
     /// Run every check that gates a change, except the tests
@@ -45,6 +49,7 @@ enum Command {
 fn main() -> ExitCode {
     let outcome = match Cli::parse().command {
         Command::BuildShaders(args) => build_shaders::run(&args),
+        Command::BenchRays(args) => bench_rays::run(&args),
         Command::NoStd => no_std::run(),
         Command::Ci => ci::run(),
     };

@@ -1,0 +1,71 @@
+//! Our own ways.
+
+use std::ops::Range;
+
+use lt_bvh::{AnyHit, Bvh, Counts, Ray, Simd, Tracer, occluded_probed};
+
+use super::Outcome;
+use super::measure::{Family, Way};
+
+/// Every how many-th ray the shared kernel answers too, for counts and as a check.
+const PROBED: usize = 16;
+
+/// Our columns. The first, "ours", is what users get; one named "ours, single" would be set against Embree's single
+/// rays, which are set against the first as long as there is none.
+pub fn ways<'a, A: AnyHit + Sync + 'a>(bvh: &'a Bvh, rays: &'a [Ray], any_hit: A) -> Vec<Box<dyn Way + 'a>> {
+    let tracers = [("ours", Simd::new(bvh))];
+    let way = |(name, simd)| -> Box<dyn Way + 'a> { Box::new(Ours { name, simd, rays, any_hit }) };
+    tracers.into_iter().map(way).collect()
+}
+
+struct Ours<'a, A> {
+    name: &'static str,
+    simd: Simd<'a>,
+    rays: &'a [Ray],
+    any_hit: A,
+}
+
+impl<A: AnyHit + Sync> Way for Ours<'_, A> {
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn family(&self) -> Family {
+        Family::Ours
+    }
+
+    fn trace(&self, range: Range<usize>, out: &mut [bool]) {
+        self.simd.occluded_batch(&self.rays[range], self.any_hit, out);
+    }
+}
+
+/// Nodes and triangles that the shared kernel tests per ray, mean over a sixteenth of the rays.
+#[derive(Clone, Copy, Debug)]
+pub struct MeanCounts {
+    pub nodes: f64,
+    pub triangles: f64,
+}
+
+/// Counts the shared kernel's work.
+pub fn mean_counts<A: AnyHit>(bvh: &Bvh, rays: &[Ray], any_hit: A) -> MeanCounts {
+    let (mut nodes, mut triangles, mut probed) = (0u64, 0u64, 0u64);
+    for ray in rays.iter().step_by(PROBED) {
+        let mut counts = Counts::default();
+        occluded_probed(bvh.nodes(), bvh.triangles(), *ray, any_hit, &mut counts);
+        nodes += u64::from(counts.nodes);
+        triangles += u64::from(counts.triangles);
+        probed += 1;
+    }
+    let mean = |sum: u64| sum as f64 / probed.max(1) as f64;
+    MeanCounts { nodes: mean(nodes), triangles: mean(triangles) }
+}
+
+/// Fails unless `answers` are the shared kernel's own, on a sixteenth of the rays.
+pub fn check_against_kernel<A: AnyHit>(bvh: &Bvh, rays: &[Ray], any_hit: A, answers: &[bool]) -> Outcome<()> {
+    for (i, ray) in rays.iter().enumerate().step_by(PROBED) {
+        if lt_bvh::occluded(bvh.nodes(), bvh.triangles(), *ray, any_hit) != answers[i] {
+            return Err(format!("ray {i}: the SIMD tracer and the shared kernel differ on {ray:?}").into());
+        }
+    }
+    Ok(())
+}
