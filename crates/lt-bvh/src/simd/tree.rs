@@ -1,5 +1,6 @@
 //! The wide tree of the CPU: exact boxes of eight children side by side, and triangles in blocks of eight.
 
+use super::memory;
 use crate::build::{BinaryTree, Bounds, LeafCost, WideTree};
 use crate::node::Node;
 use crate::ray::{FAR, NONE};
@@ -11,6 +12,9 @@ use std::vec::Vec;
 
 /// Bit of a child link that marks a leaf; below it the block of triangles, or the instance.
 pub(crate) const LEAF: u32 = 0x8000_0000;
+
+/// Link to the root.
+pub(crate) const ROOT: u32 = 0;
 
 /// Links that may wait on the stack: at most seven siblings per level, and room for eight at the top.
 pub(crate) const STACK: usize = 7 * MAX_DEPTH + 9;
@@ -30,21 +34,87 @@ pub(crate) struct WideNode {
     pub children: [u32; 8],
 }
 
-/// Up to eight triangles; NaN where there is none.
-#[repr(C, align(64))]
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Block {
-    /// By vertex and axis.
-    pub vertices: [[[f32; 8]; 3]; 3],
-    /// Indices in leaf order of the tree's own triangles.
-    pub triangles: [u32; 8],
+/// Up to eight triangles of a leaf, side by side and without gaps.
+///
+/// In the tree's buffer a block is a word with the number of triangles n and, from bit 8, a bit for each that asks the
+/// callback; then n numbers for each axis of each vertex; then n indices. Eight lanes loaded from such a row reach into the
+/// next one: the lanes behind n hold anything and are masked out.
+#[derive(Clone, Copy)]
+pub(crate) struct Block<'a> {
+    /// From the first vertex's x on, and at least eight words past the end.
+    words: &'a [u32],
+    len: usize,
+    asking: u32,
+}
+
+/// Rows of a block before its indices: three axes of three vertices.
+const ROWS: usize = 9;
+/// Words that a load of eight lanes reads.
+const LOAD: usize = 8;
+
+fn words_of_block(len: usize) -> usize {
+    1 + (ROWS + 1) * len
+}
+
+impl<'a> Block<'a> {
+    /// Triangles in it: 1 to 8.
+    #[inline(always)]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Mask of the lanes that hold triangles.
+    #[inline(always)]
+    pub fn lanes(&self) -> u32 {
+        0xff >> (8 - self.len)
+    }
+
+    /// Whether the hits on a triangle need asking.
+    #[inline(always)]
+    pub fn asks(&self, lane: usize) -> bool {
+        self.asking >> lane & 1 != 0
+    }
+
+    /// One coordinate of all triangles, at least eight lanes long.
+    #[inline(always)]
+    pub fn row(&self, vertex: usize, axis: usize) -> &'a [f32] {
+        bytemuck::cast_slice(&self.words[(3 * vertex + axis) * self.len..])
+    }
+
+    /// One coordinate of one triangle.
+    #[inline(always)]
+    pub fn coordinate(&self, vertex: usize, axis: usize, lane: usize) -> f32 {
+        f32::from_bits(self.words[(3 * vertex + axis) * self.len + lane])
+    }
+
+    /// Index of a triangle in leaf order of the tree's own triangles.
+    #[inline(always)]
+    pub fn triangle(&self, lane: usize) -> u32 {
+        self.words[ROWS * self.len + lane]
+    }
+}
+
+/// The words of a block; see [`Block`].
+fn push_block(indices: &[u32], triangles: &[Triangle], words: &mut Vec<u32>) {
+    let asking = indices
+        .iter()
+        .enumerate()
+        .map(|(lane, &i)| u32::from(!triangles[i as usize].is_opaque()) << (8 + lane));
+    words.push(indices.len() as u32 | asking.fold(0, |all, bit| all | bit));
+    for vertex in [|t: &Triangle| t.v0, |t: &Triangle| t.v1, |t: &Triangle| t.v2] {
+        for axis in 0..3 {
+            words.extend(indices.iter().map(|&i| vertex(&triangles[i as usize])[axis].to_bits()));
+        }
+    }
+    words.extend_from_slice(indices);
 }
 
 /// A wide tree over triangles or instances.
 #[derive(Debug)]
 pub(crate) struct SimdTree {
     pub nodes: Vec<WideNode>,
-    pub blocks: Vec<Block>,
+    /// [`Block`]s, named by the index of their first word.
+    blocks: Vec<u32>,
     /// What planes count from, so that they are no larger than the tree.
     pub base: Vec3,
     /// Root box of the shared kernel's tree, from which both take their margins.
@@ -52,24 +122,17 @@ pub(crate) struct SimdTree {
     pub high: Vec3,
 }
 
+/// A tree with the triangles its leaves name.
+#[derive(Clone, Copy)]
+pub(crate) struct Part<'a> {
+    pub tree: &'a SimdTree,
+    /// All triangles, and the first of this tree.
+    pub triangles: &'a [Triangle],
+    pub first_triangle: u32,
+}
+
 const NO_CHILD: WideNode =
     WideNode { planes: [[FAR; 8], [-FAR; 8], [FAR; 8], [-FAR; 8], [FAR; 8], [-FAR; 8]], children: [NONE; 8] };
-
-const NO_TRIANGLE: Block = Block { vertices: [[[f32::NAN; 8]; 3]; 3], triangles: [NONE; 8] };
-
-fn block_of(indices: &[u32], triangles: &[Triangle]) -> Block {
-    let mut block = NO_TRIANGLE;
-    for (lane, &index) in indices.iter().enumerate() {
-        let triangle = &triangles[index as usize];
-        block.triangles[lane] = index;
-        for (vertex, position) in [triangle.v0, triangle.v1, triangle.v2].into_iter().enumerate() {
-            for axis in 0..3 {
-                block.vertices[vertex][axis][lane] = position[axis];
-            }
-        }
-    }
-    block
-}
 
 impl SimdTree {
     /// A tree of which nothing can be hit.
@@ -87,26 +150,57 @@ impl SimdTree {
     pub fn of_triangles(binary: Option<&BinaryTree>, triangles: &[Triangle], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
         let boxes: Vec<Bounds> = triangles.iter().map(crate::build::triangle_bounds).collect();
-        let (mut tree, leaves) = Self::collapse(binary, &boxes, BLOCK_LEAF, root, |number, _| number);
+        let mut end = 0;
+        let (mut tree, leaves) = Self::collapse(binary, &boxes, BLOCK_LEAF, root, |held| {
+            let begin = end;
+            end += words_of_block(held.len());
+            begin as u32
+        });
         // Blocks are the largest part: they come once the boxes are gone, and at their exact number.
         drop(boxes);
-        tree.blocks = leaves.iter().map(|leaf| block_of(leaf, triangles)).collect();
+        let mut words = memory::with_capacity(end + LOAD);
+        leaves.iter().for_each(|leaf| push_block(leaf, triangles, &mut words));
+        // What a load from the last row reaches beyond it.
+        words.extend([0; LOAD]);
+        tree.blocks = words;
         tree
+    }
+
+    /// Starts to fetch what a link leads to.
+    #[inline(always)]
+    pub fn prefetch(&self, link: u32) {
+        if link & LEAF != 0 {
+            if let Some(word) = self.blocks.get((link & !LEAF) as usize) {
+                memory::prefetch(word);
+            }
+        } else if let Some(node) = self.nodes.get(link as usize) {
+            for planes in node.planes.iter().step_by(2) {
+                memory::prefetch(planes);
+            }
+            memory::prefetch(&node.children);
+        }
+    }
+
+    /// The block of a leaf's link.
+    #[inline(always)]
+    pub fn block(&self, link: u32) -> Block<'_> {
+        let words = &self.blocks[(link & !LEAF) as usize..];
+        Block { words: &words[1..], len: (words[0] & 15) as usize, asking: words[0] >> 8 }
     }
 
     /// Over the boxes of instances in leaf order; `root` is the shared kernel's TLAS root.
     pub fn of_instances(binary: Option<&BinaryTree>, boxes: &[Bounds], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
-        Self::collapse(binary, boxes, INSTANCE_LEAF, root, |_, held| held[0]).0
+        Self::collapse(binary, boxes, INSTANCE_LEAF, root, |held| held[0]).0
     }
 
-    /// The nodes, and what each leaf holds. `link` says what a parent stores of a leaf, from its number and content.
+    /// The nodes, and what each leaf holds. `link` says what a parent stores of a leaf, from its content.
     fn collapse(
         binary: &BinaryTree,
         boxes: &[Bounds],
         cost: LeafCost,
         root: &Node,
-        link: impl Fn(u32, &[u32]) -> u32,
+        mut link: impl FnMut(&[u32]) -> u32,
     ) -> (Self, Leaves) {
         let mut bounds = binary.bounds(boxes);
         let balanced;
@@ -119,7 +213,7 @@ impl SimdTree {
             wide = WideTree::collapse(tree, &bounds, cost);
         }
         let base = root.low();
-        let mut nodes = Vec::with_capacity(wide.nodes.len());
+        let mut nodes = memory::with_capacity(wide.nodes.len());
         let mut leaves = Leaves { ends: Vec::new(), primitives: Vec::with_capacity(boxes.len()) };
         for index in 0..wide.nodes.len() {
             let mut node = NO_CHILD;
@@ -139,7 +233,7 @@ impl SimdTree {
                     let begin = leaves.primitives.len();
                     tree.primitives_under(child.binary, &mut leaves.primitives);
                     leaves.ends.push(leaves.primitives.len() as u32);
-                    LEAF | link(leaves.ends.len() as u32 - 1, &leaves.primitives[begin..])
+                    LEAF | link(&leaves.primitives[begin..])
                 });
             }
             nodes.push(node);
