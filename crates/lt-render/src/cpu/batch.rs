@@ -224,7 +224,7 @@ impl Footprints {
             let along = |r: [f32; 4]| r[0] * x[i] + r[1] * y[i] + r[2] * z[i] + r[3] * 1.0;
             let (w, depth) = (along(row_w), along(row_z));
             let (at_u, at_v) = (along(row_x) / w, along(row_y) / w);
-            let is_unit = |x: f32| (x >= 0.0) & (x <= 1.0);
+            let is_unit = |x: f32| (0.0..=1.0).contains(&x);
             let is_inside = (w > 0.0) & is_unit(at_u) & is_unit(at_v) & is_unit(depth);
             states[i] = if (states[i] == MAPPED) & !is_inside { OUTSIDE } else { states[i] };
             // Any place will do outside.
@@ -257,9 +257,9 @@ impl Footprints {
                 self.offsets[k][i] = depths[quads[k][i] as usize];
             }
         }
-        for k in 0..4 {
-            for i in 0..BATCH {
-                self.offsets[k][i] = float::saturate(self.offsets[k][i]) - receivers[i];
+        for row in &mut self.offsets {
+            for (offset, receiver) in row.iter_mut().zip(&receivers) {
+                *offset = float::saturate(*offset) - receiver;
             }
         }
     }
