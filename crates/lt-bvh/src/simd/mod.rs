@@ -1,6 +1,7 @@
 //! The SIMD tracer: the widest instructions the processor has, chosen at run time.
 
 mod lanes;
+mod layout;
 mod traverse;
 mod tree;
 

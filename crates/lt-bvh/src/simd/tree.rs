@@ -1,11 +1,14 @@
 //! The wide tree of the CPU: exact boxes of eight children side by side, and triangles in blocks of eight.
 
-use crate::build::{BinaryTree, Bounds, LeafCost, WideTree};
+use super::layout::{LeafLink, WideLayout};
+use crate::build::{BinaryTree, Bounds, Emitted, LeafCost, wide_tree};
 use crate::node::Node;
 use crate::ray::{FAR, NONE};
 use crate::traverse::MAX_DEPTH;
 use crate::triangle::Triangle;
+use bytemuck::Zeroable;
 use lt_math::glam::Vec3;
+use rayon::prelude::*;
 use std::vec;
 use std::vec::Vec;
 
@@ -22,7 +25,7 @@ pub(crate) const INSTANCE_LEAF: LeafCost = LeafCost { capacity: 1, fixed: 2.0, e
 
 /// Eight children.
 #[repr(C, align(64))]
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Zeroable)]
 pub(crate) struct WideNode {
     /// Lower and upper planes in x, y, z, from the tree's `base`; lower above upper where there is no child.
     pub planes: [[f32; 8]; 6],
@@ -52,7 +55,7 @@ pub(crate) struct SimdTree {
     pub high: Vec3,
 }
 
-const NO_CHILD: WideNode =
+pub(crate) const NO_CHILD: WideNode =
     WideNode { planes: [[FAR; 8], [-FAR; 8], [FAR; 8], [-FAR; 8], [FAR; 8], [-FAR; 8]], children: [NONE; 8] };
 
 const NO_TRIANGLE: Block = Block { vertices: [[[f32::NAN; 8]; 3]; 3], triangles: [NONE; 8] };
@@ -86,80 +89,30 @@ impl SimdTree {
     /// Over triangles in leaf order; `root` is the shared kernel's root node.
     pub fn of_triangles(binary: Option<&BinaryTree>, triangles: &[Triangle], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
-        let boxes: Vec<Bounds> = triangles.iter().map(crate::build::triangle_bounds).collect();
-        let (mut tree, leaves) = Self::collapse(binary, &boxes, BLOCK_LEAF, root, |number, _| number);
-        // Blocks are the largest part: they come once the boxes are gone, and at their exact number.
-        drop(boxes);
-        tree.blocks = leaves.iter().map(|leaf| block_of(leaf, triangles)).collect();
+        let boxes = |i: u32| crate::build::triangle_bounds(&triangles[i as usize]);
+        let (mut tree, leaves) = Self::collapse(binary, boxes, BLOCK_LEAF, root, LeafLink::Position(|_| 1));
+        // Blocks are the largest part: they come at their exact number.
+        tree.blocks = leaves.leaves().map(|leaf| block_of(leaf, triangles)).collect();
         tree
     }
 
     /// Over the boxes of instances in leaf order; `root` is the shared kernel's TLAS root.
     pub fn of_instances(binary: Option<&BinaryTree>, boxes: &[Bounds], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
-        Self::collapse(binary, boxes, INSTANCE_LEAF, root, |_, held| held[0]).0
+        Self::collapse(binary, |i| boxes[i as usize], INSTANCE_LEAF, root, LeafLink::Primitive).0
     }
 
-    /// The nodes, and what each leaf holds. `link` says what a parent stores of a leaf, from its number and content.
+    /// The nodes, and what their leaves hold.
     fn collapse(
         binary: &BinaryTree,
-        boxes: &[Bounds],
+        boxes: impl Fn(u32) -> Bounds + Sync,
         cost: LeafCost,
         root: &Node,
-        link: impl Fn(u32, &[u32]) -> u32,
-    ) -> (Self, Leaves) {
-        let mut bounds = binary.bounds(boxes);
-        let balanced;
-        let mut tree = binary;
-        let mut wide = WideTree::collapse(tree, &bounds, cost);
-        if wide.depth > MAX_DEPTH {
-            balanced = BinaryTree::balanced(boxes);
-            tree = &balanced;
-            bounds = tree.bounds(boxes);
-            wide = WideTree::collapse(tree, &bounds, cost);
-        }
+        link: LeafLink,
+    ) -> (Self, Emitted<WideNode>) {
         let base = root.low();
-        let mut nodes = Vec::with_capacity(wide.nodes.len());
-        let mut leaves = Leaves { ends: Vec::new(), primitives: Vec::with_capacity(boxes.len()) };
-        for index in 0..wide.nodes.len() {
-            let mut node = NO_CHILD;
-            let mut children = wide.children(index).to_vec();
-            // The last one pushed is visited first: let that be the one a ray meets most likely.
-            children.sort_by(|a, b| {
-                let area = |c: u32| bounds[c as usize].half_area();
-                area(a.binary).total_cmp(&area(b.binary))
-            });
-            for (lane, child) in children.iter().enumerate() {
-                let (low, high) = (bounds[child.binary as usize].low, bounds[child.binary as usize].high);
-                for axis in 0..3 {
-                    node.planes[2 * axis][lane] = low[axis] - base[axis];
-                    node.planes[2 * axis + 1][lane] = high[axis] - base[axis];
-                }
-                node.children[lane] = child.inner.unwrap_or_else(|| {
-                    let begin = leaves.primitives.len();
-                    tree.primitives_under(child.binary, &mut leaves.primitives);
-                    leaves.ends.push(leaves.primitives.len() as u32);
-                    LEAF | link(leaves.ends.len() as u32 - 1, &leaves.primitives[begin..])
-                });
-            }
-            nodes.push(node);
-        }
-        (SimdTree { nodes, blocks: Vec::new(), base, low: root.low(), high: root.high() }, leaves)
-    }
-}
-
-/// What the leaves hold, one after the other.
-struct Leaves {
-    /// One past each leaf's last primitive.
-    ends: Vec<u32>,
-    primitives: Vec<u32>,
-}
-
-impl Leaves {
-    fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
-        (0..self.ends.len()).map(|leaf| {
-            let begin = if leaf == 0 { 0 } else { self.ends[leaf - 1] };
-            &self.primitives[begin as usize..self.ends[leaf] as usize]
-        })
+        let (mut wide, _) = wide_tree(&WideLayout { base, link }, binary, boxes, cost);
+        let nodes = std::mem::take(&mut wide.nodes);
+        (SimdTree { nodes, blocks: Vec::new(), base, low: root.low(), high: root.high() }, wide)
     }
 }
