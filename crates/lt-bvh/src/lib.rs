@@ -81,7 +81,7 @@ pub use offset::{ORIGIN_ULPS, offset_origin};
 pub use probe::{Counts, NoProbe, Probe};
 pub use ray::{COORDINATE_LIMIT, FAR, Hit, NONE, Ray};
 #[cfg(feature = "build")]
-pub use simd::{Simd, SimdLevel};
+pub use simd::{Grouping, Simd, SimdLevel};
 #[cfg(feature = "build")]
 pub use tracer::{Scalar, Tracer};
 pub use traverse::{MAX_DEPTH, closest_hit, closest_hit_probed, occluded, occluded_probed};

@@ -9,16 +9,16 @@
 //! triangle's own box widened by [`TRIANGLE_MARGIN`]·D; nodes are widened by twice as much, so a node test can
 //! never cut off a hit that counts. Hence the answer is a function of the ray and the triangles alone.
 
-use crate::ray::Ray;
+use crate::ray::{FAR, Ray};
 use lt_math::glam::Vec3;
 
 /// Margin of a triangle's own box in units of D: 16 roundings.
-const TRIANGLE_MARGIN: f32 = 16.0 / 16_777_216.0;
+pub(crate) const TRIANGLE_MARGIN: f32 = 16.0 / 16_777_216.0;
 /// Margin of a node's box in units of D.
-const NODE_MARGIN: f32 = 32.0 / 16_777_216.0;
+pub(crate) const NODE_MARGIN: f32 = 32.0 / 16_777_216.0;
 /// A direction component below this fraction of the largest one is raised to it, so that its reciprocal stays
 /// finite: over the length of the tree it moves the ray by 2⁻⁴⁰·D, far below the margins.
-const LEAST_COMPONENT: f32 = 1.0 / 1_099_511_627_776.0;
+pub(crate) const LEAST_COMPONENT: f32 = 1.0 / 1_099_511_627_776.0;
 
 /// What the box tests need of a ray, once per ray and tree.
 #[derive(Clone, Copy)]
@@ -29,7 +29,7 @@ pub(crate) struct Slab {
     /// Node margin in units of t per axis.
     pub node_margin: Vec3,
     /// Triangle margin in units of t per axis.
-    triangle_margin: Vec3,
+    pub triangle_margin: Vec3,
 }
 
 /// The part of a ray inside a box.
@@ -38,6 +38,9 @@ pub(crate) struct Span {
     pub near: f32,
     pub far: f32,
 }
+
+/// The stretch that a tree without instances looks at: all of a ray.
+pub(crate) const WHOLE_RAY: Span = Span { near: -FAR, far: FAR };
 
 #[inline(always)]
 fn finite_reciprocal(d: f32, least: f32) -> f32 {

@@ -3,8 +3,8 @@
 use crate::any_hit::AnyHit;
 use crate::node::{INNER_BITS, Node, octant};
 use crate::probe::{NoProbe, Probe};
-use crate::ray::{FAR, Hit, NONE, Ray};
-use crate::slab::Span;
+use crate::ray::{Hit, NONE, Ray};
+use crate::slab::{Span, WHOLE_RAY};
 use crate::triangle::{Shear, Triangle, is_nearer};
 
 /// Levels of a tree that a traversal can hold; builders return an error for (and validation rejects) more.
@@ -16,8 +16,6 @@ pub(crate) struct Tree {
     pub root: u32,
     pub first_primitive: u32,
 }
-
-const WHOLE_RAY: Span = Span { near: -FAR, far: FAR };
 
 /// Nodes still to visit: groups of siblings, as first sibling and hit mask over the parent's inner mask.
 pub(crate) struct Stack {

@@ -3,8 +3,8 @@
 mod support;
 
 use lt_bvh::{
-    AnyHit, BuildQuality, Bvh, Hit, InstancedBvh, NONE, Opaque, Placement, Ray, Scalar, Simd, SimdLevel,
-    Tracer, Triangle, closest_hit,
+    AnyHit, BuildQuality, Bvh, Grouping, Hit, InstancedBvh, NONE, Opaque, Placement, Ray, Scalar, Simd,
+    SimdLevel, Tracer, Triangle, closest_hit,
 };
 use lt_math::glam::{Affine3A, DVec3, Quat, Vec3};
 use support::{Leaf, Mesh, Rng, city, foliage, leaf_texels, soup, sun_rays};
@@ -68,10 +68,14 @@ fn assert_agreement<'a, A: AnyHit>(
     let blocked: Vec<bool> = expected.iter().map(Hit::is_hit).collect();
     assert_eq!(occluded(scalar, rays, any_hit), blocked, "occluded and closest of the kernel");
     for level in SimdLevel::available() {
-        let simd = simd().with_level(level).expect("an available level");
+        let simd_at = |level| simd().with_level(level).expect("an available level");
+        let simd = simd_at(level);
         let what = format!("{level:?}");
         assert_same_hits(&closest(&simd, rays, any_hit), &expected, rays, &what);
-        assert!(occluded(&simd, rays, any_hit) == blocked, "{what} occluded");
+        for grouping in Grouping::ALL {
+            let simd = simd_at(level).with_grouping(grouping);
+            assert!(occluded(&simd, rays, any_hit) == blocked, "{what} occluded, {grouping:?}");
+        }
     }
     blocked.iter().filter(|b| **b).count()
 }

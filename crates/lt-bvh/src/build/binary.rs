@@ -6,6 +6,7 @@
 
 use super::bounds::Bounds;
 use super::quality::BuildQuality;
+use crate::simd::memory;
 use obvhs::Boundable;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -124,7 +125,7 @@ impl BinaryTree {
 
     /// Box of every node, from those of the primitives.
     pub fn bounds(&self, of_primitive: impl Fn(u32) -> Bounds + Sync) -> Vec<Bounds> {
-        let mut bounds: Vec<Bounds> = bytemuck::zeroed_vec(self.nodes.len());
+        let mut bounds: Vec<Bounds> = memory::zeroed(self.nodes.len());
         let parts = self.parts();
         let of = |node: usize, bounds: &[Bounds], start: usize| match self.content(node as u32) {
             Content::Leaf(primitive) => of_primitive(primitive),

@@ -3,9 +3,9 @@
 
 use super::binary::{BinaryTree, Content, split};
 use super::bounds::Bounds;
+use crate::simd::memory;
 use bytemuck::Zeroable;
 use rayon::prelude::*;
-use std::vec;
 use std::vec::Vec;
 
 /// Children of a wide node.
@@ -32,7 +32,7 @@ struct Best {
 
 /// How a subtree is cut, three bits each: for 2 to 7 children, how many the left half gets, 0 for "same as with one
 /// fewer"; and if the subtree becomes one wide node, how many of eight children the left half gets, 0 for a leaf.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, Zeroable)]
 struct Cut(u32);
 
 impl Cut {
@@ -124,7 +124,7 @@ impl Plan {
                 }
             }
         };
-        let mut cuts = vec![Cut::default(); tree.len()];
+        let mut cuts: Vec<Cut> = memory::zeroed(tree.len());
         let parts = tree.parts();
         // Within a part, costs live in a buffer that fits the cache; only those of its first pair are asked for later.
         let tops: Vec<[Best; 2]> = parts

@@ -7,6 +7,7 @@
 use super::binary::{BinaryTree, Content, PART, split};
 use super::bounds::Bounds;
 use super::collapse::{Plan, WIDTH, WideChild};
+use crate::simd::memory;
 use bytemuck::Zeroable;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -32,7 +33,7 @@ pub(crate) enum Held<'a> {
 /// A layout of wide nodes.
 pub(crate) trait Encoder: Sync {
     /// One node; all zeros must be a valid value.
-    type Node: Copy + Send + Sync + Zeroable;
+    type Node: Copy + Send + Zeroable;
 
     /// The slots in which children lie, and in which order leaves and inner nodes are numbered.
     fn arrange(&self, children: &[WideChild], bounds: &[Bounds]) -> [Option<WideChild>; WIDTH];
@@ -166,23 +167,25 @@ pub(crate) fn emit<E: Encoder>(
     all
 }
 
-impl<N: Zeroable + Sync> Emitted<N> {
+impl<N: Zeroable> Emitted<N> {
     fn zeroed(extent: Extent) -> Self {
         Emitted {
-            nodes: bytemuck::zeroed_vec(extent.nodes),
-            primitives: bytemuck::zeroed_vec(extent.primitives),
-            leaf_ends: bytemuck::zeroed_vec(extent.leaves),
+            nodes: memory::zeroed(extent.nodes),
+            primitives: memory::zeroed(extent.primitives),
+            leaf_ends: memory::zeroed(extent.leaves),
             size: extent.size,
             depth: 0,
         }
     }
 
-    /// What each leaf holds.
-    pub fn leaves(&self) -> impl IndexedParallelIterator<Item = &[u32]> {
-        (0..self.leaf_ends.len()).into_par_iter().map(|leaf| {
-            let begin = if leaf == 0 { 0 } else { self.leaf_ends[leaf - 1] };
-            &self.primitives[begin as usize..self.leaf_ends[leaf] as usize]
-        })
+    /// Primitives held by the leaves before this one, which may be one past the last.
+    pub fn leaf_begin(&self, leaf: usize) -> usize {
+        if leaf == 0 { 0 } else { self.leaf_ends[leaf - 1] as usize }
+    }
+
+    /// What a leaf holds.
+    pub fn leaf(&self, leaf: usize) -> &[u32] {
+        &self.primitives[self.leaf_begin(leaf)..self.leaf_ends[leaf] as usize]
     }
 }
 

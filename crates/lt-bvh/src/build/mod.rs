@@ -12,7 +12,7 @@ mod tlas;
 mod validate;
 mod wide;
 
-pub(crate) use binary::BinaryTree;
+pub(crate) use binary::{BinaryTree, split};
 pub(crate) use blas::triangle_bounds;
 pub use blas::{Bvh, Dropped};
 pub(crate) use bounds::Bounds;

@@ -2,6 +2,10 @@
 
 mod lanes;
 mod layout;
+pub(crate) mod memory;
+mod packet;
+mod packet_walk;
+mod prepared;
 mod traverse;
 mod tree;
 
@@ -9,11 +13,10 @@ use crate::any_hit::AnyHit;
 use crate::build::{Bvh, InstancedBvh, instance_bounds};
 use crate::ray::{Hit, Ray};
 use crate::tracer::Tracer;
-use lanes::{Lanes, Portable};
+use lanes::{NodeLanes, Portable};
 use std::vec::Vec;
-pub(crate) use traverse::Part;
 use traverse::{Instanced, Scratch};
-pub(crate) use tree::SimdTree;
+pub(crate) use tree::{Part, SimdTree};
 
 /// Instruction sets that the SIMD tracer knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -24,6 +27,20 @@ pub enum SimdLevel {
     Avx2,
     /// AVX-512F and AVX-512VL besides.
     Avx512,
+}
+
+/// How the SIMD tracer takes the occlusion rays of a batch; the answers are the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Grouping {
+    /// One by one, eight boxes or triangles at a time.
+    Single,
+    /// 64 at a time, eight or sixteen rays per box or triangle.
+    Packets,
+}
+
+impl Grouping {
+    /// Every grouping.
+    pub const ALL: [Grouping; 2] = [Grouping::Single, Grouping::Packets];
 }
 
 #[derive(Clone, Copy)]
@@ -69,6 +86,7 @@ pub struct Simd<'a> {
     scene: Scene<'a>,
     chosen: Chosen,
     level: SimdLevel,
+    grouping: Grouping,
 }
 
 impl<'a> Simd<'a> {
@@ -86,7 +104,12 @@ impl<'a> Simd<'a> {
     }
 
     fn over(scene: Scene<'a>) -> Self {
-        let mut simd = Simd { scene, chosen: Chosen::Portable(Portable), level: SimdLevel::Portable };
+        let mut simd = Simd {
+            scene,
+            chosen: Chosen::Portable(Portable),
+            level: SimdLevel::Portable,
+            grouping: Grouping::Packets,
+        };
         for level in SimdLevel::available() {
             if let Some(chosen) = level.choose() {
                 (simd.chosen, simd.level) = (chosen, level);
@@ -101,6 +124,11 @@ impl<'a> Simd<'a> {
         Some(Simd { chosen, level, ..self })
     }
 
+    /// The same tracer with another grouping of occlusion rays.
+    pub fn with_grouping(self, grouping: Grouping) -> Self {
+        Simd { grouping, ..self }
+    }
+
     /// The instructions in use: the widest that the processor has, unless told otherwise.
     pub fn level(&self) -> SimdLevel {
         self.level
@@ -109,20 +137,28 @@ impl<'a> Simd<'a> {
 
 /// A batch of rays and what is asked of it.
 trait Batch {
-    fn run<L: Lanes>(self, lanes: L, scene: &Scene);
+    fn run<L: NodeLanes>(self, lanes: L, scene: &Scene);
 }
 
 struct Occluded<'b, A> {
     rays: &'b [Ray],
     any_hit: A,
     out: &'b mut [bool],
+    grouping: Grouping,
 }
 
 impl<A: AnyHit> Batch for Occluded<'_, A> {
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L, scene: &Scene) {
+    fn run<L: NodeLanes>(self, lanes: L, scene: &Scene) {
         let mut scratch = Scratch::new();
         match scene {
+            Scene::World(part) if self.grouping == Grouping::Packets => {
+                packet_walk::occluded(lanes, *part, self.rays, self.any_hit, self.out);
+            }
+            Scene::Instanced { scene, tlas, parts } if self.grouping == Grouping::Packets => {
+                let view = Instanced { tlas, instances: scene.instances(), parts };
+                packet_walk::occluded_instanced(lanes, view, self.rays, self.any_hit, self.out);
+            }
             Scene::World(part) => {
                 for (ray, out) in self.rays.iter().zip(self.out) {
                     *out = traverse::occluded(lanes, *part, *ray, self.any_hit, &mut scratch);
@@ -146,7 +182,7 @@ struct Closest<'b, A> {
 
 impl<A: AnyHit> Batch for Closest<'_, A> {
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L, scene: &Scene) {
+    fn run<L: NodeLanes>(self, lanes: L, scene: &Scene) {
         let mut scratch = Scratch::new();
         match scene {
             Scene::World(part) => {
@@ -192,7 +228,9 @@ impl Simd<'_> {
 
 impl Tracer for Simd<'_> {
     fn occluded_batch<A: AnyHit>(&self, rays: &[Ray], any_hit: A, out: &mut [bool]) {
-        self.run(Occluded { rays, any_hit, out });
+        let len = rays.len().min(out.len());
+        let (rays, out) = (&rays[..len], &mut out[..len]);
+        self.run(Occluded { rays, any_hit, out, grouping: self.grouping });
     }
 
     fn closest_batch<A: AnyHit>(&self, rays: &[Ray], any_hit: A, out: &mut [Hit]) {

@@ -1,7 +1,8 @@
 //! The wide tree of the CPU: exact boxes of eight children side by side, and triangles in blocks of eight.
 
 use super::layout::{LeafLink, WideLayout};
-use crate::build::{BinaryTree, Bounds, Emitted, LeafCost, wide_tree};
+use super::memory;
+use crate::build::{BinaryTree, Bounds, Emitted, LeafCost, split, wide_tree};
 use crate::node::Node;
 use crate::ray::{FAR, NONE};
 use crate::traverse::MAX_DEPTH;
@@ -9,11 +10,15 @@ use crate::triangle::Triangle;
 use bytemuck::Zeroable;
 use lt_math::glam::Vec3;
 use rayon::prelude::*;
+use std::ops::Range;
 use std::vec;
 use std::vec::Vec;
 
 /// Bit of a child link that marks a leaf; below it the block of triangles, or the instance.
 pub(crate) const LEAF: u32 = 0x8000_0000;
+
+/// Link to the root.
+pub(crate) const ROOT: u32 = 0;
 
 /// Links that may wait on the stack: at most seven siblings per level, and room for eight at the top.
 pub(crate) const STACK: usize = 7 * MAX_DEPTH + 9;
@@ -33,21 +38,113 @@ pub(crate) struct WideNode {
     pub children: [u32; 8],
 }
 
-/// Up to eight triangles; NaN where there is none.
-#[repr(C, align(64))]
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Block {
-    /// By vertex and axis.
-    pub vertices: [[[f32; 8]; 3]; 3],
-    /// Indices in leaf order of the tree's own triangles.
-    pub triangles: [u32; 8],
+/// Up to eight triangles of a leaf, side by side and without gaps.
+///
+/// In the tree's buffer a block is a word with the number of triangles n and, from bit 8, a bit for each that asks the
+/// callback; then n numbers for each axis of each vertex; then n indices. Eight lanes loaded from such a row reach into the
+/// next one: the lanes behind n hold anything and are masked out.
+#[derive(Clone, Copy)]
+pub(crate) struct Block<'a> {
+    /// From the first vertex's x on, and at least eight words past the end.
+    words: &'a [u32],
+    len: usize,
+    asking: u32,
+}
+
+/// Rows of a block before its indices: three axes of three vertices.
+const ROWS: usize = 9;
+/// Words that a load of eight lanes reads.
+const LOAD: usize = 8;
+
+fn words_of_block(len: usize) -> usize {
+    1 + (ROWS + 1) * len
+}
+
+impl<'a> Block<'a> {
+    /// Triangles in it: 1 to 8.
+    #[inline(always)]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Mask of the lanes that hold triangles.
+    #[inline(always)]
+    pub fn lanes(&self) -> u32 {
+        0xff >> (8 - self.len)
+    }
+
+    /// Whether the hits on a triangle need asking.
+    #[inline(always)]
+    pub fn asks(&self, lane: usize) -> bool {
+        self.asking >> lane & 1 != 0
+    }
+
+    /// One coordinate of all triangles, at least eight lanes long.
+    #[inline(always)]
+    pub fn row(&self, vertex: usize, axis: usize) -> &'a [f32] {
+        bytemuck::cast_slice(&self.words[(3 * vertex + axis) * self.len..])
+    }
+
+    /// One coordinate of one triangle.
+    #[inline(always)]
+    pub fn coordinate(&self, vertex: usize, axis: usize, lane: usize) -> f32 {
+        f32::from_bits(self.words[(3 * vertex + axis) * self.len + lane])
+    }
+
+    /// Index of a triangle in leaf order of the tree's own triangles.
+    #[inline(always)]
+    pub fn triangle(&self, lane: usize) -> u32 {
+        self.words[ROWS * self.len + lane]
+    }
+}
+
+/// Writes the words of a block; see [`Block`].
+fn write_block(indices: &[u32], triangles: &[Triangle], words: &mut [u32]) {
+    let len = indices.len();
+    let mut asking = 0;
+    for (lane, &index) in indices.iter().enumerate() {
+        let triangle = &triangles[index as usize];
+        asking |= u32::from(!triangle.is_opaque()) << (8 + lane);
+        for (vertex, position) in [triangle.v0, triangle.v1, triangle.v2].into_iter().enumerate() {
+            for axis in 0..3 {
+                words[1 + (3 * vertex + axis) * len + lane] = position[axis].to_bits();
+            }
+        }
+        words[1 + ROWS * len + lane] = index;
+    }
+    words[0] = len as u32 | asking;
+}
+
+/// Blocks written by one task.
+const BLOCKS: usize = 1 << 10;
+
+/// The blocks of all leaves, and what a load from the last row reaches beyond them.
+fn blocks(leaves: &Emitted<WideNode>, triangles: &[Triangle]) -> Vec<u32> {
+    let mut words = memory::zeroed(leaves.size as usize + LOAD);
+    let count = leaves.leaf_ends.len();
+    // The blocks before a leaf: a word each, and the rows of all their triangles.
+    let position = |leaf: usize| leaf + (ROWS + 1) * leaves.leaf_begin(leaf);
+    let tasks: Vec<Range<usize>> =
+        (0..count).step_by(BLOCKS).map(|first| first..(first + BLOCKS).min(count)).collect();
+    let ranges: Vec<Range<usize>> =
+        tasks.iter().map(|task| position(task.start)..position(task.end)).collect();
+    tasks.into_par_iter().zip(split(&mut words, &ranges)).for_each(|(task, mut words)| {
+        for leaf in task {
+            let held = leaves.leaf(leaf);
+            let (block, rest) = words.split_at_mut(words_of_block(held.len()));
+            write_block(held, triangles, block);
+            words = rest;
+        }
+    });
+    words
 }
 
 /// A wide tree over triangles or instances.
 #[derive(Debug)]
 pub(crate) struct SimdTree {
     pub nodes: Vec<WideNode>,
-    pub blocks: Vec<Block>,
+    /// [`Block`]s, named by the index of their first word.
+    blocks: Vec<u32>,
     /// What planes count from, so that they are no larger than the tree.
     pub base: Vec3,
     /// Root box of the shared kernel's tree, from which both take their margins.
@@ -55,24 +152,17 @@ pub(crate) struct SimdTree {
     pub high: Vec3,
 }
 
+/// A tree with the triangles its leaves name.
+#[derive(Clone, Copy)]
+pub(crate) struct Part<'a> {
+    pub tree: &'a SimdTree,
+    /// All triangles, and the first of this tree.
+    pub triangles: &'a [Triangle],
+    pub first_triangle: u32,
+}
+
 pub(crate) const NO_CHILD: WideNode =
     WideNode { planes: [[FAR; 8], [-FAR; 8], [FAR; 8], [-FAR; 8], [FAR; 8], [-FAR; 8]], children: [NONE; 8] };
-
-const NO_TRIANGLE: Block = Block { vertices: [[[f32::NAN; 8]; 3]; 3], triangles: [NONE; 8] };
-
-fn block_of(indices: &[u32], triangles: &[Triangle]) -> Block {
-    let mut block = NO_TRIANGLE;
-    for (lane, &index) in indices.iter().enumerate() {
-        let triangle = &triangles[index as usize];
-        block.triangles[lane] = index;
-        for (vertex, position) in [triangle.v0, triangle.v1, triangle.v2].into_iter().enumerate() {
-            for axis in 0..3 {
-                block.vertices[vertex][axis][lane] = position[axis];
-            }
-        }
-    }
-    block
-}
 
 impl SimdTree {
     /// A tree of which nothing can be hit.
@@ -90,10 +180,32 @@ impl SimdTree {
     pub fn of_triangles(binary: Option<&BinaryTree>, triangles: &[Triangle], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
         let boxes = |i: u32| crate::build::triangle_bounds(&triangles[i as usize]);
-        let (mut tree, leaves) = Self::collapse(binary, boxes, BLOCK_LEAF, root, LeafLink::Position(|_| 1));
-        // Blocks are the largest part: they come at their exact number.
-        tree.blocks = leaves.leaves().map(|leaf| block_of(leaf, triangles)).collect();
+        let link = LeafLink::Position(|held| words_of_block(held) as u32);
+        let (mut tree, leaves) = Self::collapse(binary, boxes, BLOCK_LEAF, root, link);
+        tree.blocks = blocks(&leaves, triangles);
         tree
+    }
+
+    /// Starts to fetch what a link leads to.
+    #[inline(always)]
+    pub fn prefetch(&self, link: u32) {
+        if link & LEAF != 0 {
+            if let Some(word) = self.blocks.get((link & !LEAF) as usize) {
+                memory::prefetch(word);
+            }
+        } else if let Some(node) = self.nodes.get(link as usize) {
+            for planes in node.planes.iter().step_by(2) {
+                memory::prefetch(planes);
+            }
+            memory::prefetch(&node.children);
+        }
+    }
+
+    /// The block of a leaf's link.
+    #[inline(always)]
+    pub fn block(&self, link: u32) -> Block<'_> {
+        let words = &self.blocks[(link & !LEAF) as usize..];
+        Block { words: &words[1..], len: (words[0] & 15) as usize, asking: words[0] >> 8 }
     }
 
     /// Over the boxes of instances in leaf order; `root` is the shared kernel's TLAS root.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use lt_bvh::{AnyHit, Bvh, Counts, Ray, Simd, Tracer, occluded_probed};
+use lt_bvh::{AnyHit, Bvh, Counts, Grouping, Ray, Simd, Tracer, occluded_probed};
 
 use super::Outcome;
 use super::measure::{Family, Way};
@@ -13,7 +13,8 @@ const PROBED: usize = 16;
 /// Our columns. The first, "ours", is what users get; one named "ours, single" would be set against Embree's single
 /// rays, which are set against the first as long as there is none.
 pub fn ways<'a, A: AnyHit + Sync + 'a>(bvh: &'a Bvh, rays: &'a [Ray], any_hit: A) -> Vec<Box<dyn Way + 'a>> {
-    let tracers = [("ours", Simd::new(bvh))];
+    let tracers =
+        [("ours", Simd::new(bvh)), ("ours, single", Simd::new(bvh).with_grouping(Grouping::Single))];
     let way = |(name, simd)| -> Box<dyn Way + 'a> { Box::new(Ours { name, simd, rays, any_hit }) };
     tracers.into_iter().map(way).collect()
 }

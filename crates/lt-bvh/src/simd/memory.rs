@@ -1,0 +1,49 @@
+//! Memory for trees: large pages where the system grants them on request.
+//!
+//! A ray through a million triangles touches a page per node, and with pages of 4 KiB most of its time goes into
+//! finding them.
+
+use bytemuck::Zeroable;
+use std::vec::Vec;
+
+/// Below this, in bytes, pages of ordinary size do.
+#[cfg(target_os = "linux")]
+const LARGE: usize = 4 << 20;
+
+/// So many zeros, in large pages if they are many and the system has them. Untouched until written, so that threads that
+/// write pieces of it share the cost of paging it in. It must not be grown.
+pub(crate) fn zeroed<T: Zeroable>(len: usize) -> Vec<T> {
+    let buffer = bytemuck::zeroed_vec(len);
+    #[cfg(target_os = "linux")]
+    if size_of::<T>() * len >= LARGE {
+        ask_for_large_pages(&buffer);
+    }
+    buffer
+}
+
+/// Starts to fetch the cache line at `at`, where the processor can.
+#[inline(always)]
+pub(crate) fn prefetch<T>(at: &T) {
+    #[cfg(target_arch = "x86_64")]
+    // SAFETY: every x86-64 processor has the instruction, and it changes nothing but the cache.
+    unsafe {
+        core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(
+            core::ptr::from_ref(at).cast(),
+        );
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = at;
+}
+
+#[cfg(target_os = "linux")]
+fn ask_for_large_pages<T>(buffer: &Vec<T>) {
+    const PAGE: usize = 2 << 20;
+    let begin = buffer.as_ptr() as usize;
+    let end = begin + buffer.capacity() * size_of::<T>();
+    let (begin, end) = (begin.next_multiple_of(PAGE), end & !(PAGE - 1));
+    if begin < end {
+        // SAFETY: the range lies within the buffer's own memory, and the advice changes how that is paged, not what
+        // it holds. A refusal costs nothing but speed.
+        unsafe { libc::madvise(begin as *mut libc::c_void, end - begin, libc::MADV_HUGEPAGE) };
+    }
+}

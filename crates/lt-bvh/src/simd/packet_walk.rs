@@ -1,0 +1,349 @@
+//! Packets of 64 rays down the wide tree, each node with the mask of the rays that reached it.
+//!
+//! A node is first tested once for the whole packet, eight children at a time, then each child that remains is tested by the
+//! rays themselves. Which rays are where is exact at every node, so that a packet of rays that drift apart turns
+//! into a stream of small groups, and then into single rays, instead of testing what none of its rays meets.
+
+use super::lanes::NodeLanes;
+use super::packet::{Frustum, Kind, PACKET, Packet, Weights};
+use super::prepared::Prepared;
+use super::traverse::{self, Instanced, Scratch};
+use super::tree::{LEAF, Part, ROOT, STACK, SimdTree};
+use crate::any_hit::AnyHit;
+use crate::ray::{NONE, Ray};
+use crate::slab::{Span, WHOLE_RAY};
+
+/// Packets of fewer rays do not repay their preparation.
+const LEAST_RAYS: usize = 4;
+/// So few rays are tested against a node one by one, eight children at a time.
+const SOME: u32 = 6;
+
+/// A packet's way through one tree.
+struct Walk {
+    /// Links still to visit, each with the rays that reached it.
+    links: [u32; STACK],
+    masks: [u64; STACK],
+    /// The leaf that blocked rays of the last packet, if any were: its neighbour's rays likely end there too.
+    blocker: u32,
+}
+
+impl Walk {
+    fn new() -> Self {
+        Walk { links: [0; STACK], masks: [0; STACK], blocker: NONE }
+    }
+}
+
+/// What the leaves of a tree hold, and what it means that rays reach them.
+trait Leaves<L: NodeLanes> {
+    fn tree(&self) -> &SimdTree;
+    /// Which rays of `mask` a leaf blocks.
+    fn blocked(&mut self, lanes: L, packet: &Packet, link: u32, mask: u64) -> u64;
+    /// The leaf that blocks a ray that is alone in the subtree at `link`, [`NONE`] if none does; `None` to go on as a
+    /// packet of one.
+    fn blocker_alone(&mut self, lanes: L, packet: &Packet, link: u32, ray: usize) -> Option<u32>;
+}
+
+/// Which rays of a packet prepared for the tree it blocks.
+#[inline(always)]
+fn blocked<L: NodeLanes, T: Leaves<L>>(lanes: L, leaves: &mut T, packet: &Packet, walk: &mut Walk) -> u64 {
+    let rays = lanes.rays();
+    let frustum: Frustum<L> = packet.frustum(lanes, leaves.tree());
+    let mut alive = packet.all();
+    if walk.blocker != NONE {
+        let found = leaves.blocked(lanes, packet, walk.blocker, alive);
+        alive &= !found;
+        walk.blocker = if found != 0 { walk.blocker } else { NONE };
+    }
+    walk.links[0] = ROOT;
+    walk.masks[0] = alive;
+    let mut len = 1;
+    while len > 0 {
+        len -= 1;
+        let (link, here) = (walk.links[len], walk.masks[len] & alive);
+        if here == 0 {
+            continue;
+        }
+        let count = here.count_ones();
+        if count == 1
+            && let Some(found) = leaves.blocker_alone(lanes, packet, link, here.trailing_zeros() as usize)
+        {
+            if found != NONE {
+                alive &= !here;
+                walk.blocker = found;
+            }
+            continue;
+        }
+        if link & LEAF != 0 {
+            let found = leaves.blocked(lanes, packet, link, here);
+            if found != 0 {
+                alive &= !found;
+                walk.blocker = link;
+            }
+            continue;
+        }
+        let node = &leaves.tree().nodes[link as usize];
+        if count <= SOME {
+            let mut reached = [0u64; 8];
+            let (mut some, mut children) = (here, 0);
+            while some != 0 {
+                let ray = some.trailing_zeros() as usize;
+                let bit = some & some.wrapping_neg();
+                some ^= bit;
+                let (_, met) = packet.boxes(lanes, ray).test(lanes, node, lanes.splat(packet.ray(ray).tmax));
+                children |= met;
+                let mut met = met;
+                while met != 0 {
+                    reached[met.trailing_zeros() as usize & 7] |= bit;
+                    met &= met - 1;
+                }
+            }
+            while children != 0 {
+                let child = children.trailing_zeros() as usize & 7;
+                children &= children - 1;
+                walk.links[len] = node.children[child];
+                walk.masks[len] = reached[child];
+                len += 1;
+            }
+            continue;
+        }
+        let mut children = frustum.test(lanes, node);
+        while children != 0 {
+            let child = children.trailing_zeros() as usize & 7;
+            children &= children - 1;
+            let reached = packet.meets(rays, node, child, here);
+            walk.links[len] = node.children[child];
+            walk.masks[len] = reached;
+            len += usize::from(reached != 0);
+        }
+    }
+    packet.all() & !alive
+}
+
+/// Blocks of triangles.
+struct Triangles<'a, 's, A> {
+    part: Part<'a>,
+    any_hit: A,
+    weights: &'s mut Weights,
+    scratch: &'s mut Scratch,
+}
+
+impl<L: NodeLanes, A: AnyHit> Leaves<L> for Triangles<'_, '_, A> {
+    #[inline(always)]
+    fn tree(&self) -> &SimdTree {
+        self.part.tree
+    }
+
+    #[inline(always)]
+    fn blocked(&mut self, lanes: L, packet: &Packet, link: u32, mask: u64) -> u64 {
+        let rays = lanes.rays();
+        let block = self.part.tree.block(link);
+        let mut alive = mask;
+        for lane in 0..block.len() {
+            if alive == 0 {
+                break;
+            }
+            if A::IS_OPAQUE || !block.asks(lane) {
+                alive &= !packet.hits::<_, false>(rays, block, lane, alive, self.weights);
+                continue;
+            }
+            let index = self.part.first_triangle + block.triangle(lane);
+            let mut candidates = packet.hits::<_, true>(rays, block, lane, alive, self.weights);
+            while candidates != 0 {
+                let ray = candidates.trailing_zeros() as usize & (PACKET - 1);
+                candidates &= candidates - 1;
+                if self.any_hit.accepts(index, self.weights.u[ray], self.weights.v[ray]) {
+                    alive &= !(1 << ray);
+                }
+            }
+        }
+        mask & !alive
+    }
+
+    #[inline(always)]
+    fn blocker_alone(&mut self, lanes: L, packet: &Packet, link: u32, ray: usize) -> Option<u32> {
+        let prepared: Prepared<L> = packet.single(lanes, ray);
+        Some(traverse::blocker(lanes, self.part, &prepared, link, self.any_hit, self.scratch))
+    }
+}
+
+/// Work memory for packets in a tree of triangles.
+struct Work {
+    packet: Packet,
+    walk: Walk,
+    weights: Weights,
+    scratch: Scratch,
+}
+
+impl Work {
+    fn new() -> Self {
+        Work { packet: Packet::empty(), walk: Walk::new(), weights: Weights::none(), scratch: Scratch::new() }
+    }
+
+    /// Which of up to [`PACKET`] rays of one kind the tree blocks.
+    #[inline(always)]
+    fn blocked<L: NodeLanes, A: AnyHit>(
+        &mut self,
+        lanes: L,
+        part: Part,
+        kind: Kind,
+        rays: &[Ray],
+        windows: &[Span],
+        any_hit: A,
+    ) -> u64 {
+        self.packet.fill(kind, rays, windows);
+        self.packet.prepare(lanes.rays(), part.tree);
+        let (weights, scratch) = (&mut self.weights, &mut self.scratch);
+        let mut leaves = Triangles { part, any_hit, weights, scratch };
+        blocked(lanes, &mut leaves, &self.packet, &mut self.walk)
+    }
+}
+
+const WHOLE_RAYS: [Span; PACKET] = [WHOLE_RAY; PACKET];
+
+/// Whether each ray is blocked by one tree in world space.
+#[inline(always)]
+pub(crate) fn occluded<L: NodeLanes, A: AnyHit>(
+    lanes: L,
+    part: Part,
+    rays: &[Ray],
+    any_hit: A,
+    out: &mut [bool],
+) {
+    let mut work = Work::new();
+    let mut at = 0;
+    while at < rays.len() {
+        let (kind, len) = Kind::run(&rays[at..]);
+        let (rays, out) = (&rays[at..at + len], &mut out[at..at + len]);
+        at += len;
+        match kind {
+            Some(kind) if len >= LEAST_RAYS => {
+                let blocked = work.blocked(lanes, part, kind, rays, &WHOLE_RAYS, any_hit);
+                for (i, out) in out.iter_mut().enumerate() {
+                    *out = blocked >> i & 1 != 0;
+                }
+            }
+            _ => {
+                for (ray, out) in rays.iter().zip(out) {
+                    *out = traverse::occluded(lanes, part, *ray, any_hit, &mut work.scratch);
+                }
+            }
+        }
+    }
+}
+
+/// Rays in the space of an instance, and which of the packet outside each is.
+struct Entered {
+    rays: [Ray; PACKET],
+    windows: [Span; PACKET],
+    outside: [u8; PACKET],
+    len: usize,
+}
+
+/// Placed trees.
+struct Instances<'a, 's, A> {
+    view: Instanced<'a>,
+    any_hit: A,
+    entered: &'s mut Entered,
+    work: &'s mut Work,
+    /// The instance that `work` was in last.
+    last: &'s mut u32,
+}
+
+impl<L: NodeLanes, A: AnyHit> Leaves<L> for Instances<'_, '_, A> {
+    #[inline(always)]
+    fn tree(&self) -> &SimdTree {
+        self.view.tlas
+    }
+
+    #[inline(always)]
+    fn blocked(&mut self, lanes: L, packet: &Packet, link: u32, mask: u64) -> u64 {
+        let index = link & !LEAF;
+        if *self.last != index {
+            *self.last = index;
+            self.work.walk.blocker = NONE;
+        }
+        let part = self.view.parts[index as usize];
+        let entered = &mut *self.entered;
+        entered.len = 0;
+        let mut candidates = mask;
+        while candidates != 0 {
+            let ray = candidates.trailing_zeros() as usize;
+            candidates &= candidates - 1;
+            let world = packet.ray(ray);
+            if let Some((object, window)) = self.view.enter(&packet.slab(ray), &world, world.tmax, index) {
+                let at = entered.len & (PACKET - 1);
+                (entered.rays[at], entered.windows[at], entered.outside[at]) = (object, window, ray as u8);
+                entered.len = at + 1;
+            }
+        }
+        let (mut found, mut at) = (0, 0);
+        while at < entered.len {
+            let (kind, len) = Kind::run(&entered.rays[at..entered.len]);
+            let (rays, windows) = (&entered.rays[at..at + len], &entered.windows[at..at + len]);
+            let outside = &entered.outside[at..at + len];
+            at += len;
+            match kind {
+                Some(kind) if len >= LEAST_RAYS => {
+                    let blocked = self.work.blocked(lanes, part, kind, rays, windows, self.any_hit);
+                    for (i, &ray) in outside.iter().enumerate() {
+                        found |= (blocked >> i & 1) << ray;
+                    }
+                }
+                _ => {
+                    for ((ray, window), &place) in rays.iter().zip(windows).zip(outside) {
+                        let prepared = Prepared::new(lanes, *ray, part.tree, *window);
+                        let scratch = &mut self.work.scratch;
+                        let blocker = traverse::blocker(lanes, part, &prepared, ROOT, self.any_hit, scratch);
+                        found |= u64::from(blocker != NONE) << place;
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    #[inline(always)]
+    fn blocker_alone(&mut self, _: L, _: &Packet, _: u32, _: usize) -> Option<u32> {
+        None
+    }
+}
+
+/// Whether each ray is blocked by placed trees.
+#[inline(always)]
+pub(crate) fn occluded_instanced<L: NodeLanes, A: AnyHit>(
+    lanes: L,
+    view: Instanced,
+    rays: &[Ray],
+    any_hit: A,
+    out: &mut [bool],
+) {
+    let mut work = Work::new();
+    let mut packet = Packet::empty();
+    let mut walk = Walk::new();
+    let mut entered =
+        Entered { rays: [Ray::default(); PACKET], windows: WHOLE_RAYS, outside: [0; PACKET], len: 0 };
+    let mut last = NONE;
+    let mut at = 0;
+    while at < rays.len() {
+        let (kind, len) = Kind::run(&rays[at..]);
+        let (rays, out) = (&rays[at..at + len], &mut out[at..at + len]);
+        at += len;
+        match kind {
+            Some(kind) if len >= LEAST_RAYS => {
+                packet.fill(kind, rays, &WHOLE_RAYS);
+                packet.prepare(lanes.rays(), view.tlas);
+                let (entered, work, last) = (&mut entered, &mut work, &mut last);
+                let mut leaves = Instances { view, any_hit, entered, work, last };
+                let blocked = blocked(lanes, &mut leaves, &packet, &mut walk);
+                for (i, out) in out.iter_mut().enumerate() {
+                    *out = blocked >> i & 1 != 0;
+                }
+            }
+            _ => {
+                for (ray, out) in rays.iter().zip(out) {
+                    *out = traverse::occluded_instanced(lanes, view, *ray, any_hit, &mut work.scratch);
+                }
+            }
+        }
+    }
+}

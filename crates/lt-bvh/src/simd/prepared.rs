@@ -1,0 +1,225 @@
+//! One ray against eight boxes or eight triangles at a time.
+//!
+//! SIMD only proposes. Boxes are tested with the node margin of [`crate::slab`], so they cut off nothing that
+//! counts; triangles by the edge functions and t; and each triangle that passes is put to the shared kernel's
+//! own test, which decides. So every path gives the kernel's bits, whatever it proposes in whatever order.
+
+use super::lanes::NodeLanes;
+use super::tree::{Block, Part, WideNode};
+use crate::any_hit::AnyHit;
+use crate::ray::{Hit, Ray};
+use crate::slab::{Slab, Span};
+use crate::triangle::{Shear, is_nearer};
+use lt_math::glam::Vec3;
+
+// No closure here may touch lanes: a closure does not inherit the instruction set that its caller is compiled for,
+// and unless it is inlined in time, eight-wide operations become calls.
+
+#[inline(always)]
+fn spread<L: NodeLanes>(lanes: L, v: Vec3) -> [L::F; 3] {
+    [lanes.splat(v.x), lanes.splat(v.y), lanes.splat(v.z)]
+}
+
+/// A ray spread over lanes for the box test.
+#[derive(Clone, Copy)]
+pub(crate) struct BoxRay<L: NodeLanes> {
+    inverse: [L::F; 3],
+    near: [L::F; 3],
+    far: [L::F; 3],
+    /// Index of the entry plane per axis.
+    entry: [usize; 3],
+    tmin: L::F,
+}
+
+impl<L: NodeLanes> BoxRay<L> {
+    #[inline(always)]
+    pub fn new(lanes: L, slab: &Slab, base: Vec3, tmin: f32) -> Self {
+        let start = (base - slab.origin) * slab.inverse;
+        let (near, far) = (start - slab.node_margin, start + slab.node_margin);
+        Self::from_parts(lanes, slab.inverse, near, far, tmin)
+    }
+
+    /// From what is prepared already: the reciprocal direction, and where the ray meets the tree's base planes, less and
+    /// plus the node margin.
+    #[inline(always)]
+    pub fn from_parts(lanes: L, inverse: Vec3, near: Vec3, far: Vec3, tmin: f32) -> Self {
+        BoxRay {
+            inverse: spread(lanes, inverse),
+            near: spread(lanes, near),
+            far: spread(lanes, far),
+            entry: [
+                usize::from(inverse.x < 0.0),
+                2 + usize::from(inverse.y < 0.0),
+                4 + usize::from(inverse.z < 0.0),
+            ],
+            tmin: lanes.splat(tmin),
+        }
+    }
+
+    /// Where the ray enters each child, and which children it meets before `tmax`.
+    #[inline(always)]
+    pub fn test(&self, lanes: L, node: &WideNode, tmax: L::F) -> (L::F, u32) {
+        let (nx, ny, nz) = (self.near(lanes, node, 0), self.near(lanes, node, 1), self.near(lanes, node, 2));
+        let (fx, fy, fz) = (self.far(lanes, node, 0), self.far(lanes, node, 1), self.far(lanes, node, 2));
+        let entry = lanes.max(lanes.max(nx, ny), lanes.max(nz, self.tmin));
+        let exit = lanes.min(lanes.min(fx, fy), lanes.min(fz, tmax));
+        (entry, lanes.le(entry, exit))
+    }
+
+    #[inline(always)]
+    fn near(&self, lanes: L, node: &WideNode, axis: usize) -> L::F {
+        let planes = lanes.load(&node.planes[self.entry[axis]]);
+        lanes.mul_add(planes, self.inverse[axis], self.near[axis])
+    }
+
+    #[inline(always)]
+    fn far(&self, lanes: L, node: &WideNode, axis: usize) -> L::F {
+        let planes = lanes.load(&node.planes[self.entry[axis] ^ 1]);
+        lanes.mul_add(planes, self.inverse[axis], self.far[axis])
+    }
+}
+
+/// A ray spread over lanes for the triangle test.
+#[derive(Clone, Copy)]
+struct TriangleRay<L: NodeLanes> {
+    axes: [usize; 3],
+    origin: [L::F; 3],
+    x: L::F,
+    y: L::F,
+    z: L::F,
+    tmin: L::F,
+    tmax: L::F,
+}
+
+impl<L: NodeLanes> TriangleRay<L> {
+    #[inline(always)]
+    fn new(lanes: L, shear: &Shear, ray: &Ray) -> Self {
+        let z = shear.axis as usize;
+        let axes = if z == 0 {
+            [1, 2, 0]
+        } else if z == 1 {
+            [2, 0, 1]
+        } else {
+            [0, 1, 2]
+        };
+        let o = shear.origin;
+        let permuted = Vec3::new(o[axes[0]], o[axes[1]], o[axes[2]]);
+        TriangleRay {
+            axes,
+            origin: spread(lanes, permuted),
+            x: lanes.splat(shear.x),
+            y: lanes.splat(shear.y),
+            z: lanes.splat(shear.z),
+            tmin: lanes.splat(ray.tmin),
+            tmax: lanes.splat(ray.tmax),
+        }
+    }
+
+    /// The triangles of a block that pass the kernel's arithmetic but for its test of their own boxes: at least all
+    /// that the ray hits.
+    #[inline(always)]
+    fn test(&self, lanes: L, block: Block) -> u32 {
+        let a = self.project(lanes, block, 0);
+        let b = self.project(lanes, block, 1);
+        let c = self.project(lanes, block, 2);
+        let (u, v, w) = (cross(lanes, c, b), cross(lanes, a, c), cross(lanes, b, a));
+        let zero = lanes.splat(0.0);
+        let least = lanes.min(lanes.min(u, v), w);
+        let most = lanes.max(lanes.max(u, v), w);
+        let inside = (lanes.le(zero, least) | lanes.le(most, zero)) & block.lanes();
+        if inside == 0 {
+            return 0;
+        }
+        let (az, bz, cz) = (lanes.mul(self.z, a.2), lanes.mul(self.z, b.2), lanes.mul(self.z, c.2));
+        let ab = lanes.add(lanes.mul(u, az), lanes.mul(v, bz));
+        let sum = lanes.add(lanes.add(u, v), w);
+        let t = lanes.div(lanes.add(ab, lanes.mul(w, cz)), sum);
+        inside & lanes.le(self.tmin, t) & lanes.le(t, self.tmax)
+    }
+
+    /// x and y of eight vertices in the ray's frame, by the kernel's arithmetic, and z before its scaling.
+    #[inline(always)]
+    fn project(&self, lanes: L, block: Block, vertex: usize) -> (L::F, L::F, L::F) {
+        let depth = lanes.sub(lanes.load(block.row(vertex, self.axes[2])), self.origin[2]);
+        let x = lanes.sub(lanes.load(block.row(vertex, self.axes[0])), self.origin[0]);
+        let y = lanes.sub(lanes.load(block.row(vertex, self.axes[1])), self.origin[1]);
+        (lanes.sub(x, lanes.mul(self.x, depth)), lanes.sub(y, lanes.mul(self.y, depth)), depth)
+    }
+}
+
+/// The kernel's edge function by the direct formula: the same value, in other order of vertices too.
+#[inline(always)]
+fn cross<L: NodeLanes>(lanes: L, p: (L::F, L::F, L::F), q: (L::F, L::F, L::F)) -> L::F {
+    lanes.sub(lanes.mul(p.0, q.1), lanes.mul(p.1, q.0))
+}
+
+/// A ray ready for one tree.
+pub(crate) struct Prepared<L: NodeLanes> {
+    pub ray: Ray,
+    slab: Slab,
+    shear: Shear,
+    pub boxes: BoxRay<L>,
+    window: Span,
+}
+
+impl<L: NodeLanes> Prepared<L> {
+    #[inline(always)]
+    pub fn new(lanes: L, ray: Ray, tree: &super::tree::SimdTree, window: Span) -> Self {
+        let slab = Slab::new(&ray, tree.low, tree.high);
+        let shear = Shear::new(&ray);
+        let boxes = BoxRay::new(lanes, &slab, tree.base, ray.tmin);
+        Prepared { ray, slab, shear, boxes, window }
+    }
+
+    /// From what is prepared already.
+    #[inline(always)]
+    pub fn from_parts(ray: Ray, slab: Slab, shear: Shear, boxes: BoxRay<L>, window: Span) -> Self {
+        Prepared { ray, slab, shear, boxes, window }
+    }
+
+    /// Whether a block of triangles blocks the ray.
+    #[inline(always)]
+    pub fn is_blocked_by<A: AnyHit>(&self, lanes: L, part: Part, block: u32, any_hit: A) -> bool {
+        let block = part.tree.block(block);
+        let mut candidates = TriangleRay::new(lanes, &self.shear, &self.ray).test(lanes, block);
+        while candidates != 0 {
+            let lane = candidates.trailing_zeros() as usize & 7;
+            candidates &= candidates - 1;
+            let index = part.first_triangle + block.triangle(lane);
+            let triangle = &part.triangles[index as usize];
+            let hit = self.shear.intersect(&self.ray, &self.slab, triangle, self.window);
+            let is_hit = hit.is_hit && hit.t > self.ray.tmin && hit.t < self.ray.tmax;
+            if is_hit && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v)) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The better of `best` and the hits in a block of triangles.
+    #[inline(always)]
+    pub fn nearest_of<A: AnyHit>(
+        &self,
+        lanes: L,
+        part: Part,
+        block: u32,
+        instance: u32,
+        any_hit: A,
+        mut best: Hit,
+    ) -> Hit {
+        let block = part.tree.block(block);
+        let mut candidates = TriangleRay::new(lanes, &self.shear, &self.ray).test(lanes, block);
+        while candidates != 0 {
+            let lane = candidates.trailing_zeros() as usize & 7;
+            candidates &= candidates - 1;
+            let index = part.first_triangle + block.triangle(lane);
+            let triangle = &part.triangles[index as usize];
+            let hit = self.shear.intersect(&self.ray, &self.slab, triangle, self.window);
+            let is_hit = hit.is_hit && hit.t > self.ray.tmin && is_nearer(hit.t, index, instance, &best);
+            if is_hit && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v)) {
+                best = Hit { t: hit.t, u: hit.u, v: hit.v, triangle: index, instance };
+            }
+        }
+        best
+    }
+}
