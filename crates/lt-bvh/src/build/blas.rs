@@ -5,6 +5,7 @@ use super::bounds::Bounds;
 use super::error::BuildError;
 use super::quality::BuildQuality;
 use super::quantize::NODE_LEAF;
+use super::refit::refit;
 use super::validate::{Invalid, validate_tree};
 use super::wide::KernelTree;
 use crate::node::Node;
@@ -41,19 +42,25 @@ pub struct Bvh {
 #[derive(Debug)]
 pub(crate) struct Wide {
     /// Over the triangles in leaf order; `None` when there are none.
-    binary: Option<BinaryTree>,
+    binary: Option<Arc<BinaryTree>>,
     root: Node,
     tree: OnceLock<SimdTree>,
 }
 
 impl Wide {
     fn new(binary: Option<BinaryTree>, root: Node) -> Arc<Self> {
-        Arc::new(Wide { binary, root, tree: OnceLock::new() })
+        Arc::new(Wide { binary: binary.map(Arc::new), root, tree: OnceLock::new() })
+    }
+
+    /// The same over triangles that have moved. A tree that was not made yet need not be: it will be made from them.
+    fn refit(&self, triangles: &[Triangle], root: Node) -> Arc<Self> {
+        let tree = self.tree.get().map_or_else(OnceLock::new, |tree| tree.refit(triangles, &root).into());
+        Arc::new(Wide { binary: self.binary.clone(), root, tree })
     }
 
     /// The tree over the mesh's `triangles`, in leaf order.
     pub fn tree(&self, triangles: &[Triangle]) -> &SimdTree {
-        self.tree.get_or_init(|| SimdTree::of_triangles(self.binary.as_ref(), triangles, &self.root))
+        self.tree.get_or_init(|| SimdTree::of_triangles(self.binary.as_deref(), triangles, &self.root))
     }
 }
 
@@ -162,6 +169,42 @@ impl Bvh {
         })
     }
 
+    /// Moves the tree to where the vertices are now: new boxes on the same topology, several times faster than a build.
+    ///
+    /// `indices` name the vertices of the triangles that the tree was built over, in the same order; opaque triangles
+    /// stay opaque. Hits are those of a fresh build, and keep their triangle indices. The tree gets slower to trace the
+    /// more the mesh deforms, since triangles that part stay in common boxes; then build anew. An
+    /// [`InstancedBvh`](crate::InstancedBvh) keeps the copy that it was built with.
+    ///
+    /// # Errors
+    /// [`BuildError::OtherTriangleCount`], [`BuildError::VertexOutOfRange`], and [`BuildError::OtherTriangleDropped`]
+    /// where a build would now drop other triangles. After one nothing has changed.
+    pub fn refit(&mut self, positions: &[Vec3], indices: &[[u32; 3]]) -> Result<(), BuildError> {
+        let expected = self.sources.len() + self.dropped.not_finite + self.dropped.zero_area;
+        if indices.len() != expected {
+            return Err(BuildError::OtherTriangleCount { found: indices.len(), expected });
+        }
+        let (usable, dropped) = usable(positions, indices)?;
+        let mut was_kept = vec![false; indices.len()];
+        self.sources.iter().for_each(|&source| was_kept[source as usize] = true);
+        let mut is_kept = vec![false; indices.len()];
+        usable.iter().for_each(|&source| is_kept[source as usize] = true);
+        if let Some(triangle) = (0..indices.len()).find(|&i| was_kept[i] != is_kept[i]) {
+            return Err(BuildError::OtherTriangleDropped { triangle });
+        }
+        self.dropped = dropped;
+        if self.triangles.is_empty() {
+            return Ok(());
+        }
+        self.triangles.par_iter_mut().zip(&self.sources).for_each(|(triangle, &source)| {
+            *triangle = triangle_of(positions, indices[source as usize], triangle.is_opaque());
+        });
+        let triangles = &self.triangles;
+        self.nodes = refit(&self.nodes, |i| triangle_bounds(&triangles[i as usize]));
+        self.wide = self.wide.refit(triangles, self.nodes[0]);
+        Ok(())
+    }
+
     /// Nodes for [`closest_hit`](crate::closest_hit) and [`occluded`](crate::occluded), the root first; never
     /// empty.
     pub fn nodes(&self) -> &[Node] {
@@ -201,13 +244,15 @@ impl Bvh {
         self.triangles.iter().fold(Bounds::EMPTY, |all, t| all.union(&triangle_bounds(t)))
     }
 
-    /// Checks that the tree holds every triangle once, in boxes that contain it, within [`MAX_DEPTH`](crate::MAX_DEPTH) levels.
+    /// Checks that the tree holds every triangle once, in boxes that contain it, within [`MAX_DEPTH`](crate::MAX_DEPTH)
+    /// levels; the SIMD tracer's tree too, where one has been made.
     ///
     /// # Errors
     /// The first fault found, naming its node.
     pub fn validate(&self) -> Result<(), Invalid> {
         let boxes: Vec<Bounds> = self.triangles.par_iter().map(triangle_bounds).collect();
-        validate_tree(&self.nodes, &boxes)
+        validate_tree(&self.nodes, &boxes)?;
+        self.wide.tree.get().map_or(Ok(()), |tree| tree.validate(&self.triangles))
     }
 }
 

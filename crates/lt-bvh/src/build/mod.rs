@@ -8,6 +8,7 @@ mod emit;
 mod error;
 mod quality;
 mod quantize;
+mod refit;
 mod tlas;
 mod validate;
 mod wide;

@@ -6,6 +6,7 @@ pub(crate) mod memory;
 mod packet;
 mod packet_walk;
 mod prepared;
+mod refit;
 mod traverse;
 mod tree;
 

@@ -67,6 +67,11 @@ impl<'a> Block<'a> {
         self.len
     }
 
+    /// Words that the block takes in the tree's buffer.
+    pub fn words(&self) -> usize {
+        words_of_block(self.len)
+    }
+
     /// Mask of the lanes that hold triangles.
     #[inline(always)]
     pub fn lanes(&self) -> u32 {
@@ -99,7 +104,7 @@ impl<'a> Block<'a> {
 }
 
 /// Writes the words of a block; see [`Block`].
-fn write_block(indices: &[u32], triangles: &[Triangle], words: &mut [u32]) {
+pub(super) fn write_block(indices: &[u32], triangles: &[Triangle], words: &mut [u32]) {
     let len = indices.len();
     let mut asking = 0;
     for (lane, &index) in indices.iter().enumerate() {
@@ -116,7 +121,7 @@ fn write_block(indices: &[u32], triangles: &[Triangle], words: &mut [u32]) {
 }
 
 /// Blocks written by one task.
-const BLOCKS: usize = 1 << 10;
+pub(super) const BLOCKS: usize = 1 << 10;
 
 /// The blocks of all leaves, and what a load from the last row reaches beyond them.
 fn blocks(leaves: &Emitted<WideNode>, triangles: &[Triangle]) -> Vec<u32> {
@@ -144,7 +149,7 @@ fn blocks(leaves: &Emitted<WideNode>, triangles: &[Triangle]) -> Vec<u32> {
 pub(crate) struct SimdTree {
     pub nodes: Vec<WideNode>,
     /// [`Block`]s, named by the index of their first word.
-    blocks: Vec<u32>,
+    pub(super) blocks: Vec<u32>,
     /// What planes count from, so that they are no larger than the tree.
     pub base: Vec3,
     /// Root box of the shared kernel's tree, from which both take their margins.
@@ -199,6 +204,11 @@ impl SimdTree {
             }
             memory::prefetch(&node.children);
         }
+    }
+
+    /// One past the last block's words.
+    pub(super) fn end_of_blocks(&self) -> usize {
+        self.blocks.len().saturating_sub(LOAD)
     }
 
     /// The block of a leaf's link.
