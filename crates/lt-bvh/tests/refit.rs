@@ -3,11 +3,9 @@
 
 mod support;
 
-use lt_bvh::{
-    AnyHit, BuildError, BuildQuality, Bvh, Hit, Opaque, Ray, Scalar, Simd, SimdLevel, Tracer, Triangle,
-};
+use lt_bvh::{AnyHit, BuildError, BuildQuality, Bvh, Hit, Opaque, Ray, Scalar, Simd, SimdLevel, Triangle};
 use lt_math::glam::{Quat, Vec3};
-use support::{Leaf, Mesh, Rng, city, foliage, leaf_texels, soup};
+use support::{Leaf, Mesh, Rng, city, closest, foliage, leaf_texels, occluded, soup};
 
 fn rays(count: usize, seed: u64) -> Vec<Ray> {
     let mut rng = Rng::new(seed);
@@ -26,18 +24,6 @@ fn deformed(mesh: &Mesh, amount: f32, seed: u64) -> Vec<Vec3> {
 fn named(bvh: &Bvh, hit: &Hit) -> Option<[u32; 4]> {
     let name = || bvh.sources()[hit.triangle as usize];
     hit.is_hit().then(|| [hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits(), name()])
-}
-
-fn closest<A: AnyHit>(tracer: &impl Tracer, rays: &[Ray], any_hit: A) -> Vec<Hit> {
-    let mut hits = vec![Hit::miss(0.0); rays.len()];
-    tracer.closest_batch(rays, any_hit, &mut hits);
-    hits
-}
-
-fn occluded<A: AnyHit>(tracer: &impl Tracer, rays: &[Ray], any_hit: A) -> Vec<bool> {
-    let mut blocked = vec![false; rays.len()];
-    tracer.occluded_batch(rays, any_hit, &mut blocked);
-    blocked
 }
 
 /// Compares a refit tree with a fresh one on the kernel and on every SIMD level; how many rays hit.
@@ -60,7 +46,7 @@ fn assert_same_answers<'a, A: AnyHit>(
     let scalar = Scalar::new(refit);
     check(closest(&scalar, rays, a), occluded(&scalar, rays, a));
     for level in SimdLevel::available() {
-        let simd = Simd::new(refit).with_level(level).unwrap();
+        let simd = Simd::new(refit).with_level(level).expect("available");
         check(closest(&simd, rays, a), occluded(&simd, rays, a));
     }
     blocked.iter().filter(|b| **b).count()
