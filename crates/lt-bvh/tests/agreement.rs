@@ -7,7 +7,7 @@ use lt_bvh::{
     SimdLevel, Tracer, Triangle, closest_hit,
 };
 use lt_math::glam::{Affine3A, DVec3, Quat, Vec3};
-use support::{Leaf, Mesh, Rng, city, foliage, leaf_texels, soup, sun_rays};
+use support::{Leaf, Mesh, Rng, city, closest, foliage, leaf_texels, occluded, soup, sun_rays};
 
 /// Rays of every kind through a scene about the size of the unit cube.
 fn rays_of_all_kinds(count: usize, seed: u64) -> Vec<Ray> {
@@ -31,18 +31,6 @@ fn rays_of_all_kinds(count: usize, seed: u64) -> Vec<Ray> {
         }
     };
     (0..count).map(ray).collect()
-}
-
-fn closest<A: AnyHit>(tracer: &impl Tracer, rays: &[Ray], any_hit: A) -> Vec<Hit> {
-    let mut hits = vec![Hit::miss(0.0); rays.len()];
-    tracer.closest_batch(rays, any_hit, &mut hits);
-    hits
-}
-
-fn occluded<A: AnyHit>(tracer: &impl Tracer, rays: &[Ray], any_hit: A) -> Vec<bool> {
-    let mut blocked = vec![false; rays.len()];
-    tracer.occluded_batch(rays, any_hit, &mut blocked);
-    blocked
 }
 
 fn bits(hit: &Hit) -> [u32; 5] {

@@ -2,17 +2,18 @@
 
 use super::binary::BinaryTree;
 use super::bounds::Bounds;
-use super::collapse::WideTree;
 use super::error::BuildError;
 use super::quality::BuildQuality;
-use super::quantize::{NODE_LEAF, quantize};
+use super::quantize::NODE_LEAF;
+use super::refit::refit;
 use super::validate::{Invalid, validate_tree};
+use super::wide::KernelTree;
 use crate::node::Node;
 use crate::ray::COORDINATE_LIMIT;
 use crate::simd::{Part, SimdTree};
-use crate::traverse::MAX_DEPTH;
 use crate::triangle::Triangle;
 use lt_math::glam::Vec3;
+use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
 use std::vec;
 use std::vec::Vec;
@@ -41,35 +42,78 @@ pub struct Bvh {
 #[derive(Debug)]
 pub(crate) struct Wide {
     /// Over the triangles in leaf order; `None` when there are none.
-    binary: Option<BinaryTree>,
+    binary: Option<Arc<BinaryTree>>,
     root: Node,
     tree: OnceLock<SimdTree>,
 }
 
 impl Wide {
     fn new(binary: Option<BinaryTree>, root: Node) -> Arc<Self> {
-        Arc::new(Wide { binary, root, tree: OnceLock::new() })
+        Arc::new(Wide { binary: binary.map(Arc::new), root, tree: OnceLock::new() })
+    }
+
+    /// The same over triangles that have moved. A tree that was not made yet need not be: it will be made from them.
+    fn refit(&self, triangles: &[Triangle], root: Node) -> Arc<Self> {
+        let tree = self.tree.get().map_or_else(OnceLock::new, |tree| tree.refit(triangles, &root).into());
+        Arc::new(Wide { binary: self.binary.clone(), root, tree })
     }
 
     /// The tree over the mesh's `triangles`, in leaf order.
     pub fn tree(&self, triangles: &[Triangle]) -> &SimdTree {
-        self.tree.get_or_init(|| SimdTree::of_triangles(self.binary.as_ref(), triangles, &self.root))
+        self.tree.get_or_init(|| SimdTree::of_triangles(self.binary.as_deref(), triangles, &self.root))
     }
 }
 
 /// Vertices that may be named: the top bit of an index is [`Triangle::NON_OPAQUE`].
 const INDEX_LIMIT: usize = 1 << 31;
 
-fn corners(positions: &[Vec3], triangle: usize, indices: [u32; 3]) -> Result<[Vec3; 3], BuildError> {
-    let corner = |vertex: u32| {
-        let vertices = positions.len();
-        positions.get(vertex as usize).copied().ok_or(BuildError::VertexOutOfRange {
-            triangle,
-            vertex,
-            vertices,
-        })
-    };
-    Ok([corner(indices[0])?, corner(indices[1])?, corner(indices[2])?])
+/// What becomes of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fate {
+    Kept,
+    NotFinite,
+    ZeroArea,
+    OutOfRange,
+}
+
+fn fate(positions: &[Vec3], triangle: [u32; 3]) -> Fate {
+    if triangle.iter().any(|&vertex| vertex as usize >= positions.len()) {
+        return Fate::OutOfRange;
+    }
+    let corners = triangle.map(|vertex| positions[vertex as usize]);
+    if !is_usable(&corners) {
+        Fate::NotFinite
+    } else if !has_area(corners) {
+        Fate::ZeroArea
+    } else {
+        Fate::Kept
+    }
+}
+
+/// The triangles that rays can hit, and how many they cannot.
+fn usable(positions: &[Vec3], indices: &[[u32; 3]]) -> Result<(Vec<u32>, Dropped), BuildError> {
+    let fates: Vec<Fate> = indices.par_iter().map(|&triangle| fate(positions, triangle)).collect();
+    let (mut sources, mut dropped) = (Vec::with_capacity(indices.len()), Dropped::default());
+    for (triangle, fate) in fates.into_iter().enumerate() {
+        match fate {
+            Fate::Kept => sources.push(triangle as u32),
+            Fate::NotFinite => dropped.not_finite += 1,
+            Fate::ZeroArea => dropped.zero_area += 1,
+            Fate::OutOfRange => {
+                let vertices = positions.len();
+                let is_outside = |&vertex: &u32| vertex as usize >= vertices;
+                let vertex = indices[triangle].into_iter().find(is_outside).unwrap_or_default();
+                return Err(BuildError::VertexOutOfRange { triangle, vertex, vertices });
+            }
+        }
+    }
+    Ok((sources, dropped))
+}
+
+fn triangle_of(positions: &[Vec3], [i0, i1, i2]: [u32; 3], is_opaque: bool) -> Triangle {
+    let [v0, v1, v2] = [i0, i1, i2].map(|vertex| positions[vertex as usize]);
+    let flag = if is_opaque { 0 } else { Triangle::NON_OPAQUE };
+    Triangle { v0, i0: i0 | flag, v1, i1, v2, i2 }
 }
 
 /// Exact for coordinates of like magnitude: differences and products of f32 fit f64.
@@ -88,7 +132,7 @@ impl Bvh {
     /// `is_opaque` is asked once for each triangle index: `false` for those whose hits the
     /// [`AnyHit`](crate::AnyHit) callback judges. Triangles that no ray can hit are left out and counted in
     /// [`Bvh::dropped`]. Any finite input builds, however degenerate: where the preferred builder grows a
-    /// tree deeper than [`MAX_DEPTH`], a balanced one takes its place.
+    /// tree deeper than [`MAX_DEPTH`](crate::MAX_DEPTH), a balanced one takes its place.
     ///
     /// # Errors
     /// [`BuildError::VertexOutOfRange`] and [`BuildError::TooMany`].
@@ -102,54 +146,63 @@ impl Bvh {
         if found >= INDEX_LIMIT {
             return Err(BuildError::TooMany { found, limit: INDEX_LIMIT - 1 });
         }
-        let mut dropped = Dropped::default();
-        let mut kept = Vec::with_capacity(indices.len());
-        let mut sources = Vec::with_capacity(indices.len());
-        for (index, &[i0, i1, i2]) in indices.iter().enumerate() {
-            let corners = corners(positions, index, [i0, i1, i2])?;
-            if !is_usable(&corners) {
-                dropped.not_finite += 1;
-            } else if !has_area(corners) {
-                dropped.zero_area += 1;
-            } else {
-                let flag = if is_opaque(index) { 0 } else { Triangle::NON_OPAQUE };
-                let [v0, v1, v2] = corners;
-                kept.push(Triangle { v0, i0: i0 | flag, v1, i1, v2, i2 });
-                sources.push(index as u32);
-            }
-        }
-        Ok(Self::over(kept, sources, dropped, quality))
-    }
-
-    fn over(kept: Vec<Triangle>, sources: Vec<u32>, dropped: Dropped, quality: BuildQuality) -> Bvh {
-        if kept.is_empty() {
+        let (sources, dropped) = usable(positions, indices)?;
+        if sources.is_empty() {
             let nodes = vec![Node::default()];
             let wide = Wide::new(None, nodes[0]);
-            return Bvh { nodes, triangles: kept, sources, dropped, depth: 1, wide };
+            return Ok(Bvh { nodes, triangles: Vec::new(), sources, dropped, depth: 1, wide });
         }
-        let boxes: Vec<Bounds> = kept.iter().map(triangle_bounds).collect();
-        let mut binary = BinaryTree::build(&boxes, quality);
-        let mut bounds = binary.bounds(&boxes);
-        let mut wide = WideTree::collapse(&binary, &bounds, NODE_LEAF);
-        if wide.depth > MAX_DEPTH {
-            binary = BinaryTree::balanced(&boxes);
-            bounds = binary.bounds(&boxes);
-            wide = WideTree::collapse(&binary, &bounds, NODE_LEAF);
-        }
-        let quantized = quantize(&wide, &binary, &bounds);
-        let mut new_index = vec![0; kept.len()];
-        for (to, &from) in quantized.order.iter().enumerate() {
-            new_index[from as usize] = to as u32;
-        }
-        binary.rename(&new_index);
-        Bvh {
-            wide: Wide::new(Some(binary), quantized.nodes[0]),
-            nodes: quantized.nodes,
-            triangles: quantized.order.iter().map(|&from| kept[from as usize]).collect(),
-            sources: quantized.order.iter().map(|&from| sources[from as usize]).collect(),
+        // Gathered once in the caller's order: the leaf order jumps about, and would miss the cache at every step.
+        let is_opaque: Vec<bool> = sources.iter().map(|&source| is_opaque(source as usize)).collect();
+        let triangle = |(&source, &is_opaque)| triangle_of(positions, indices[source as usize], is_opaque);
+        let kept: Vec<Triangle> = sources.par_iter().zip(&is_opaque).map(triangle).collect();
+        let boxes: Vec<Bounds> = kept.par_iter().map(triangle_bounds).collect();
+        let tree = KernelTree::build(&boxes, quality, NODE_LEAF);
+        drop(boxes);
+        Ok(Bvh {
+            wide: Wide::new(Some(tree.binary), tree.nodes[0]),
+            nodes: tree.nodes,
+            triangles: tree.order.par_iter().map(|&from| kept[from as usize]).collect(),
+            sources: tree.order.par_iter().map(|&from| sources[from as usize]).collect(),
             dropped,
-            depth: wide.depth,
+            depth: tree.depth,
+        })
+    }
+
+    /// Moves the tree to where the vertices are now: new boxes on the same topology, several times faster than a build.
+    ///
+    /// `indices` name the vertices of the triangles that the tree was built over, in the same order; opaque triangles
+    /// stay opaque. Hits are those of a fresh build, and keep their triangle indices. The tree gets slower to trace the
+    /// more the mesh deforms, since triangles that part stay in common boxes; then build anew. An
+    /// [`InstancedBvh`](crate::InstancedBvh) keeps the copy that it was built with.
+    ///
+    /// # Errors
+    /// [`BuildError::OtherTriangleCount`], [`BuildError::VertexOutOfRange`], and [`BuildError::OtherTriangleDropped`]
+    /// where a build would now drop other triangles. After one nothing has changed.
+    pub fn refit(&mut self, positions: &[Vec3], indices: &[[u32; 3]]) -> Result<(), BuildError> {
+        let expected = self.sources.len() + self.dropped.not_finite + self.dropped.zero_area;
+        if indices.len() != expected {
+            return Err(BuildError::OtherTriangleCount { found: indices.len(), expected });
         }
+        let (usable, dropped) = usable(positions, indices)?;
+        let mut was_kept = vec![false; indices.len()];
+        self.sources.iter().for_each(|&source| was_kept[source as usize] = true);
+        let mut is_kept = vec![false; indices.len()];
+        usable.iter().for_each(|&source| is_kept[source as usize] = true);
+        if let Some(triangle) = (0..indices.len()).find(|&i| was_kept[i] != is_kept[i]) {
+            return Err(BuildError::OtherTriangleDropped { triangle });
+        }
+        self.dropped = dropped;
+        if self.triangles.is_empty() {
+            return Ok(());
+        }
+        self.triangles.par_iter_mut().zip(&self.sources).for_each(|(triangle, &source)| {
+            *triangle = triangle_of(positions, indices[source as usize], triangle.is_opaque());
+        });
+        let triangles = &self.triangles;
+        self.nodes = refit(&self.nodes, |i| triangle_bounds(&triangles[i as usize]));
+        self.wide = self.wide.refit(triangles, self.nodes[0]);
+        Ok(())
     }
 
     /// Nodes for [`closest_hit`](crate::closest_hit) and [`occluded`](crate::occluded), the root first; never
@@ -173,7 +226,7 @@ impl Bvh {
         self.dropped
     }
 
-    /// Levels of the tree, counting the root: at most [`MAX_DEPTH`].
+    /// Levels of the tree, counting the root: at most [`MAX_DEPTH`](crate::MAX_DEPTH).
     pub fn depth(&self) -> usize {
         self.depth
     }
@@ -191,13 +244,15 @@ impl Bvh {
         self.triangles.iter().fold(Bounds::EMPTY, |all, t| all.union(&triangle_bounds(t)))
     }
 
-    /// Checks that the tree holds every triangle once, in boxes that contain it, within [`MAX_DEPTH`] levels.
+    /// Checks that the tree holds every triangle once, in boxes that contain it, within [`MAX_DEPTH`](crate::MAX_DEPTH)
+    /// levels; the SIMD tracer's tree too, where one has been made.
     ///
     /// # Errors
     /// The first fault found, naming its node.
     pub fn validate(&self) -> Result<(), Invalid> {
-        let boxes: Vec<Bounds> = self.triangles.iter().map(triangle_bounds).collect();
-        validate_tree(&self.nodes, &boxes)
+        let boxes: Vec<Bounds> = self.triangles.par_iter().map(triangle_bounds).collect();
+        validate_tree(&self.nodes, &boxes)?;
+        self.wide.tree.get().map_or(Ok(()), |tree| tree.validate(&self.triangles))
     }
 }
 

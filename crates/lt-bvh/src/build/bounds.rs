@@ -1,9 +1,10 @@
 //! Axis-aligned boxes of the builders.
 
+use bytemuck::Zeroable;
 use lt_math::glam::Vec3;
 
 /// A box; `low > high` where empty.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Zeroable)]
 pub(crate) struct Bounds {
     pub low: Vec3,
     pub high: Vec3,
@@ -18,6 +19,11 @@ impl Bounds {
 
     pub fn centre(&self) -> Vec3 {
         (self.low + self.high) * 0.5
+    }
+
+    /// Length of the longest side.
+    pub fn extent(&self) -> f64 {
+        (self.high.as_dvec3() - self.low.as_dvec3()).max_element()
     }
 
     /// Half the surface area in units of `scale`², in f64 so that no scene scale overflows.

@@ -15,6 +15,19 @@ pub enum BuildError {
         /// How many vertices there are.
         vertices: usize,
     },
+    /// A refit to another mesh than the tree was built over.
+    OtherTriangleCount {
+        /// Triangles handed over.
+        found: usize,
+        /// Triangles it was built over.
+        expected: usize,
+    },
+    /// A refit after which a triangle can be hit that could not before, or the reverse: NaN, infinity, or all three
+    /// vertices on one line.
+    OtherTriangleDropped {
+        /// The triangle's index.
+        triangle: usize,
+    },
     /// More triangles, vertices or instances than the 31-bit indices of the buffers can name.
     TooMany {
         /// How many there are.
@@ -45,6 +58,13 @@ impl fmt::Display for BuildError {
                 f,
                 "triangle {triangle} names vertex {vertex}, but there are {vertices}: \
                  remove the triangle or add the vertex"
+            ),
+            BuildError::OtherTriangleCount { found, expected } => {
+                write!(f, "{found} triangles for a tree built over {expected}: build anew")
+            }
+            BuildError::OtherTriangleDropped { triangle } => write!(
+                f,
+                "triangle {triangle} lost its area or its finite vertices, or got them back: build anew"
             ),
             BuildError::TooMany { found, limit } => {
                 write!(f, "{found} triangles, vertices or instances, of at most {limit}: split the mesh")

@@ -1,76 +1,76 @@
-//! Wide tree to the shared kernel's nodes: grid boxes and octant-ordered slots (Ylitie, Karras, Laine 2017,
+//! The shared kernel's nodes: grid boxes and octant-ordered slots (Ylitie, Karras, Laine 2017,
 //! sections 3.1 and 3.2).
 
-use super::binary::BinaryTree;
 use super::bounds::Bounds;
-use super::collapse::{LeafCost, WIDTH, WideChild, WideTree};
+use super::collapse::{LeafCost, WIDTH, WideChild};
+use super::emit::{Encoder, Held};
 use crate::node::Node;
-use lt_math::glam::{UVec4, Vec3};
-use std::vec;
-use std::vec::Vec;
+use lt_math::glam::UVec4;
 
 /// A node's leaves hold up to 24 primitives together: three each.
 pub(crate) const NODE_LEAF: LeafCost = LeafCost { capacity: 3, fixed: 0.0, each: 0.3 };
 
-/// Nodes of a tree, and the primitives in the order in which its leaves hold them.
-pub(crate) struct Quantized {
-    pub nodes: Vec<Node>,
-    pub order: Vec<u32>,
-}
+/// The shared kernel's layout.
+pub(crate) struct Quantizer;
 
-/// Encodes a wide tree. At least one primitive.
-pub(crate) fn quantize(wide: &WideTree, tree: &BinaryTree, bounds: &[Bounds]) -> Quantized {
-    let mut nodes = vec![Node::default()];
-    let mut order = Vec::new();
-    let mut pending = vec![(0usize, 0usize)];
-    while let Some((from, to)) = pending.pop() {
-        let slots = assign_slots(wide.children(from), bounds);
-        let (first_node, first_primitive) = (nodes.len() as u32, order.len() as u32);
-        let mut meta = [0u8; WIDTH];
-        let mut inner_mask = 0;
-        for (slot, child) in slots.iter().enumerate() {
-            let Some(child) = child else { continue };
-            meta[slot] = if let Some(inner) = child.inner {
-                inner_mask |= 1 << slot;
-                pending.push((inner as usize, nodes.len()));
-                nodes.push(Node::default());
-                0b0010_0000 | (24 + slot as u8)
-            } else {
-                let offset = order.len() as u32 - first_primitive;
-                tree.primitives_under(child.binary, &mut order);
-                let count = order.len() as u32 - first_primitive - offset;
-                (((1 << count) - 1) << 5) as u8 | offset as u8
-            };
-        }
-        let boxes = slots.map(|child| child.map(|c| bounds[c.binary as usize]));
-        nodes[to] = encode(boxes, meta, inner_mask, first_node, first_primitive);
-    }
-    Quantized { nodes, order }
-}
+impl Encoder for Quantizer {
+    type Node = Node;
 
-/// Gives each child the slot whose direction it lies in most, best matches first, so that visiting slots in the
-/// order slot ^ octant is roughly front to back.
-fn assign_slots(children: &[WideChild], bounds: &[Bounds]) -> [Option<WideChild>; WIDTH] {
-    let all = children.iter().fold(Bounds::EMPTY, |a, c| a.union(&bounds[c.binary as usize]));
-    let centre = all.centre();
-    let mut slots = [None; WIDTH];
-    let mut is_placed = [false; WIDTH];
-    for _ in children {
-        let mut best = (f32::NEG_INFINITY, 0, 0);
-        for (index, child) in children.iter().enumerate().filter(|(index, _)| !is_placed[*index]) {
+    /// Gives each child the slot whose direction it lies in most, best matches first, so that visiting slots in the
+    /// order slot ^ octant is roughly front to back.
+    fn arrange(&self, children: &[WideChild], bounds: &[Bounds]) -> [Option<WideChild>; WIDTH] {
+        let all = children.iter().fold(Bounds::EMPTY, |a, c| a.union(&bounds[c.binary as usize]));
+        let centre = all.centre();
+        // How far each child lies in the direction of each slot, largest first in the order of integers. The lowest bits
+        // make way for which child and slot it is; the lower one wins.
+        let mut keys = [[i32::MIN; WIDTH]; WIDTH];
+        for (index, (child, keys)) in children.iter().zip(&mut keys).enumerate() {
             let offset = bounds[child.binary as usize].centre() - centre;
-            for (slot, _) in slots.iter().enumerate().filter(|(_, taken)| taken.is_none()) {
-                let sign = |axis: usize| if slot >> axis & 1 == 1 { 1.0 } else { -1.0 };
-                let along = offset.dot(Vec3::new(sign(0), sign(1), sign(2)));
-                if along > best.0 {
-                    best = (along, index, slot);
-                }
+            for (slot, key) in keys.iter_mut().enumerate() {
+                let signed = |axis: usize| if slot >> axis & 1 == 1 { offset[axis] } else { -offset[axis] };
+                let bits = (signed(0) + signed(1) + signed(2)).to_bits() as i32;
+                let rising = bits ^ ((bits >> 31) & i32::MAX);
+                *key = rising & !63 | (63 - (index * WIDTH + slot) as i32);
             }
         }
-        slots[best.2] = Some(children[best.1]);
-        is_placed[best.1] = true;
+        let mut slots = [None; WIDTH];
+        for _ in children {
+            let best = keys.as_flattened().iter().fold(i32::MIN, |best, &key| best.max(key));
+            let chosen = 63 - (best & 63) as usize;
+            let (index, slot) = (chosen / WIDTH, chosen % WIDTH);
+            slots[slot] = Some(children[index]);
+            // Neither this child nor this slot again.
+            keys[index] = [i32::MIN; WIDTH];
+            keys.iter_mut().for_each(|row| row[slot] = i32::MIN);
+        }
+        slots
     }
-    slots
+
+    fn leaf_size(&self, primitives: usize) -> u32 {
+        primitives as u32
+    }
+
+    fn encode(&self, slots: &[Option<(Bounds, Held)>; WIDTH], first_node: u32, first_primitive: u32) -> Node {
+        let mut meta = [0u8; WIDTH];
+        let mut inner_mask = 0;
+        for (slot, content) in slots.iter().enumerate() {
+            meta[slot] = match content {
+                None => 0,
+                Some((_, Held::Inner(_))) => {
+                    inner_mask |= 1 << slot;
+                    0b0010_0000 | (24 + slot as u8)
+                }
+                Some((_, Held::Leaf { primitives, first, .. })) => {
+                    (((1 << primitives.len()) - 1) << 5) as u8 | (first - first_primitive) as u8
+                }
+            };
+        }
+        let word = |half: usize| {
+            u32::from_le_bytes([meta[half * 4], meta[half * 4 + 1], meta[half * 4 + 2], meta[half * 4 + 3]])
+        };
+        let links = UVec4::new(first_node, first_primitive, word(0), word(1));
+        with_boxes(slots.map(|content| content.map(|(bounds, _)| bounds)), inner_mask, links)
+    }
 }
 
 /// Biased exponent of the smallest power of two of which 255 steps span `extent`.
@@ -94,35 +94,32 @@ fn step_length(exponent: u32) -> f64 {
 /// Lower and upper planes of one axis on the grid from `low`, packed four to a word.
 fn planes(boxes: &[Option<Bounds>; WIDTH], axis: usize, low: f32, step: f64) -> UVec4 {
     let mut words = [0u32; 4];
+    // Steps are powers of two: multiplying by the inverse is exact.
+    let per_cell = step.recip();
     for (slot, bounds) in boxes.iter().enumerate() {
         let Some(bounds) = bounds else { continue };
-        let cells = |x: f32| (f64::from(x) - f64::from(low)) / step;
-        let lower = cells(bounds.low[axis]).floor().clamp(0.0, 255.0) as u32;
-        let upper = cells(bounds.high[axis]).ceil().clamp(0.0, 255.0) as u32;
-        words[slot / 4] |= lower << (8 * (slot % 4));
-        words[2 + slot / 4] |= upper << (8 * (slot % 4));
+        // No box begins below `low`, so truncation rounds down.
+        let cells = |x: f32| (f64::from(x) - f64::from(low)) * per_cell;
+        let lower = cells(bounds.low[axis]) as u32;
+        let end = cells(bounds.high[axis]);
+        let upper = end as u32;
+        let upper = upper + u32::from(f64::from(upper) < end);
+        words[slot / 4] |= lower.min(255) << (8 * (slot % 4));
+        words[2 + slot / 4] |= upper.min(255) << (8 * (slot % 4));
     }
     UVec4::from_array(words)
 }
 
-fn encode(
-    boxes: [Option<Bounds>; WIDTH],
-    meta: [u8; WIDTH],
-    inner_mask: u32,
-    first_node: u32,
-    first_primitive: u32,
-) -> Node {
+/// A node with these children's boxes.
+pub(crate) fn with_boxes(boxes: [Option<Bounds>; WIDTH], inner_mask: u32, links: UVec4) -> Node {
     let all = boxes.iter().flatten().fold(Bounds::EMPTY, |a, b| a.union(b));
     let extent = all.high.as_dvec3() - all.low.as_dvec3();
     let exponents = extent.to_array().map(step_exponent);
     let axis = |axis: usize| planes(&boxes, axis, all.low[axis], step_length(exponents[axis]));
     let frame_w = exponents[0] | exponents[1] << 8 | exponents[2] << 16 | inner_mask << 24;
-    let word = |half: usize| {
-        u32::from_le_bytes([meta[half * 4], meta[half * 4 + 1], meta[half * 4 + 2], meta[half * 4 + 3]])
-    };
     Node {
         frame: UVec4::new(all.low.x.to_bits(), all.low.y.to_bits(), all.low.z.to_bits(), frame_w),
-        links: UVec4::new(first_node, first_primitive, word(0), word(1)),
+        links,
         x: axis(0),
         y: axis(1),
         z: axis(2),

@@ -3,20 +3,18 @@
 use super::binary::BinaryTree;
 use super::blas::{Bvh, Wide};
 use super::bounds::Bounds;
-use super::collapse::{LeafCost, WideTree};
+use super::collapse::LeafCost;
 use super::error::BuildError;
 use super::quality::BuildQuality;
-use super::quantize::quantize;
 use super::validate::{Invalid, validate_tree};
+use super::wide::KernelTree;
 use crate::instance::Instance;
 use crate::node::Node;
 use crate::ray::COORDINATE_LIMIT;
 use crate::simd::{Part, SimdTree};
-use crate::traverse::MAX_DEPTH;
 use crate::triangle::Triangle;
 use lt_math::glam::{Affine3A, DAffine3, DMat3, Vec4};
 use std::sync::Arc;
-use std::vec;
 use std::vec::Vec;
 
 /// One instance per leaf: each costs a transformed ray and a tree of its own.
@@ -115,23 +113,10 @@ impl InstancedBvh {
             return Ok(());
         }
         let boxes: Vec<Bounds> = instances.iter().map(instance_bounds).collect();
-        let mut binary = BinaryTree::build(&boxes, BuildQuality::Fast);
-        let mut bounds = binary.bounds(&boxes);
-        let mut wide = WideTree::collapse(&binary, &bounds, INSTANCE_LEAF);
-        if wide.depth > MAX_DEPTH {
-            binary = BinaryTree::balanced(&boxes);
-            bounds = binary.bounds(&boxes);
-            wide = WideTree::collapse(&binary, &bounds, INSTANCE_LEAF);
-        }
-        let quantized = quantize(&wide, &binary, &bounds);
-        let mut new_index = vec![0; instances.len()];
-        for (to, &from) in quantized.order.iter().enumerate() {
-            new_index[from as usize] = to as u32;
-        }
-        binary.rename(&new_index);
-        self.binary = Some(binary);
-        self.instances = quantized.order.iter().map(|&from| instances[from as usize]).collect();
-        self.nodes.extend(quantized.nodes);
+        let tree = KernelTree::build(&boxes, BuildQuality::Fast, INSTANCE_LEAF);
+        self.binary = Some(tree.binary);
+        self.instances = tree.order.iter().map(|&from| instances[from as usize]).collect();
+        self.nodes.extend(tree.nodes);
         Ok(())
     }
 

@@ -62,6 +62,13 @@ pub enum Invalid {
         /// The primitive.
         primitive: u32,
     },
+    /// A triangle of which the SIMD tracer's tree keeps other vertices, or another answer to whether it is opaque.
+    OtherTriangle {
+        /// The wide node.
+        node: u32,
+        /// The triangle.
+        primitive: u32,
+    },
     /// A primitive that sticks out of the box of a child on the path to it.
     NotContained {
         /// The node.
@@ -87,6 +94,9 @@ impl fmt::Display for Invalid {
                 write!(f, "node {node} holds primitive {primitive}, as another does")
             }
             Invalid::NotHeld { primitive } => write!(f, "no node holds primitive {primitive}"),
+            Invalid::OtherTriangle { node, primitive } => {
+                write!(f, "wide node {node} holds another triangle {primitive} than the mesh has")
+            }
             Invalid::NotContained { node, slot } => {
                 write!(f, "the box in slot {slot} of node {node} does not contain what is under it")
             }
@@ -112,13 +122,13 @@ fn slot_box(node: &Node, slot: u32) -> (DVec3, DVec3) {
 }
 
 /// What hangs in a slot.
-enum Slot {
+pub(crate) enum Slot {
     Empty,
     Inner(u32),
     Leaf { first: u32, count: u32 },
 }
 
-fn read_slot(node: &Node, slot: u32) -> Option<Slot> {
+pub(crate) fn read_slot(node: &Node, slot: u32) -> Option<Slot> {
     let meta = byte(if slot < 4 { node.links.z } else { node.links.w }, slot & 3);
     let is_inner = node.inner_mask() >> slot & 1 == 1;
     let (unary, position) = (meta >> 5, meta & 31);

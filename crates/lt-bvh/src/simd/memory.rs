@@ -3,17 +3,19 @@
 //! A ray through a million triangles touches a page per node, and with pages of 4 KiB most of its time goes into
 //! finding them.
 
+use bytemuck::Zeroable;
 use std::vec::Vec;
 
 /// Below this, in bytes, pages of ordinary size do.
 #[cfg(target_os = "linux")]
 const LARGE: usize = 4 << 20;
 
-/// An empty vector of this capacity, in large pages if it is large and the system has them. It must not be grown.
-pub(crate) fn with_capacity<T>(capacity: usize) -> Vec<T> {
-    let buffer = Vec::with_capacity(capacity);
+/// So many zeros, in large pages if they are many and the system has them. Untouched until written, so that threads that
+/// write pieces of it share the cost of paging it in. It must not be grown.
+pub(crate) fn zeroed<T: Zeroable>(len: usize) -> Vec<T> {
+    let buffer = bytemuck::zeroed_vec(len);
     #[cfg(target_os = "linux")]
-    if size_of::<T>() * capacity >= LARGE {
+    if size_of::<T>() * len >= LARGE {
         ask_for_large_pages(&buffer);
     }
     buffer

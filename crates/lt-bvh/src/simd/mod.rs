@@ -1,10 +1,12 @@
 //! The SIMD tracer: the widest instructions the processor has, chosen at run time.
 
 mod lanes;
-mod memory;
+mod layout;
+pub(crate) mod memory;
 mod packet;
 mod packet_walk;
 mod prepared;
+mod refit;
 mod traverse;
 mod tree;
 

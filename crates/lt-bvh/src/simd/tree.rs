@@ -1,12 +1,16 @@
 //! The wide tree of the CPU: exact boxes of eight children side by side, and triangles in blocks of eight.
 
+use super::layout::{LeafLink, WideLayout};
 use super::memory;
-use crate::build::{BinaryTree, Bounds, LeafCost, WideTree};
+use crate::build::{BinaryTree, Bounds, Emitted, LeafCost, split, wide_tree};
 use crate::node::Node;
 use crate::ray::{FAR, NONE};
 use crate::traverse::MAX_DEPTH;
 use crate::triangle::Triangle;
+use bytemuck::Zeroable;
 use lt_math::glam::Vec3;
+use rayon::prelude::*;
+use std::ops::Range;
 use std::vec;
 use std::vec::Vec;
 
@@ -26,7 +30,7 @@ pub(crate) const INSTANCE_LEAF: LeafCost = LeafCost { capacity: 1, fixed: 2.0, e
 
 /// Eight children.
 #[repr(C, align(64))]
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Zeroable)]
 pub(crate) struct WideNode {
     /// Lower and upper planes in x, y, z, from the tree's `base`; lower above upper where there is no child.
     pub planes: [[f32; 8]; 6],
@@ -63,6 +67,11 @@ impl<'a> Block<'a> {
         self.len
     }
 
+    /// Words that the block takes in the tree's buffer.
+    pub fn words(&self) -> usize {
+        words_of_block(self.len)
+    }
+
     /// Mask of the lanes that hold triangles.
     #[inline(always)]
     pub fn lanes(&self) -> u32 {
@@ -94,19 +103,45 @@ impl<'a> Block<'a> {
     }
 }
 
-/// The words of a block; see [`Block`].
-fn push_block(indices: &[u32], triangles: &[Triangle], words: &mut Vec<u32>) {
-    let asking = indices
-        .iter()
-        .enumerate()
-        .map(|(lane, &i)| u32::from(!triangles[i as usize].is_opaque()) << (8 + lane));
-    words.push(indices.len() as u32 | asking.fold(0, |all, bit| all | bit));
-    for vertex in [|t: &Triangle| t.v0, |t: &Triangle| t.v1, |t: &Triangle| t.v2] {
-        for axis in 0..3 {
-            words.extend(indices.iter().map(|&i| vertex(&triangles[i as usize])[axis].to_bits()));
+/// Writes the words of a block; see [`Block`].
+pub(super) fn write_block(indices: &[u32], triangles: &[Triangle], words: &mut [u32]) {
+    let len = indices.len();
+    let mut asking = 0;
+    for (lane, &index) in indices.iter().enumerate() {
+        let triangle = &triangles[index as usize];
+        asking |= u32::from(!triangle.is_opaque()) << (8 + lane);
+        for (vertex, position) in [triangle.v0, triangle.v1, triangle.v2].into_iter().enumerate() {
+            for axis in 0..3 {
+                words[1 + (3 * vertex + axis) * len + lane] = position[axis].to_bits();
+            }
         }
+        words[1 + ROWS * len + lane] = index;
     }
-    words.extend_from_slice(indices);
+    words[0] = len as u32 | asking;
+}
+
+/// Blocks written by one task.
+pub(super) const BLOCKS: usize = 1 << 10;
+
+/// The blocks of all leaves, and what a load from the last row reaches beyond them.
+fn blocks(leaves: &Emitted<WideNode>, triangles: &[Triangle]) -> Vec<u32> {
+    let mut words = memory::zeroed(leaves.size as usize + LOAD);
+    let count = leaves.leaf_ends.len();
+    // The blocks before a leaf: a word each, and the rows of all their triangles.
+    let position = |leaf: usize| leaf + (ROWS + 1) * leaves.leaf_begin(leaf);
+    let tasks: Vec<Range<usize>> =
+        (0..count).step_by(BLOCKS).map(|first| first..(first + BLOCKS).min(count)).collect();
+    let ranges: Vec<Range<usize>> =
+        tasks.iter().map(|task| position(task.start)..position(task.end)).collect();
+    tasks.into_par_iter().zip(split(&mut words, &ranges)).for_each(|(task, mut words)| {
+        for leaf in task {
+            let held = leaves.leaf(leaf);
+            let (block, rest) = words.split_at_mut(words_of_block(held.len()));
+            write_block(held, triangles, block);
+            words = rest;
+        }
+    });
+    words
 }
 
 /// A wide tree over triangles or instances.
@@ -114,7 +149,7 @@ fn push_block(indices: &[u32], triangles: &[Triangle], words: &mut Vec<u32>) {
 pub(crate) struct SimdTree {
     pub nodes: Vec<WideNode>,
     /// [`Block`]s, named by the index of their first word.
-    blocks: Vec<u32>,
+    pub(super) blocks: Vec<u32>,
     /// What planes count from, so that they are no larger than the tree.
     pub base: Vec3,
     /// Root box of the shared kernel's tree, from which both take their margins.
@@ -131,7 +166,7 @@ pub(crate) struct Part<'a> {
     pub first_triangle: u32,
 }
 
-const NO_CHILD: WideNode =
+pub(crate) const NO_CHILD: WideNode =
     WideNode { planes: [[FAR; 8], [-FAR; 8], [FAR; 8], [-FAR; 8], [FAR; 8], [-FAR; 8]], children: [NONE; 8] };
 
 impl SimdTree {
@@ -149,20 +184,10 @@ impl SimdTree {
     /// Over triangles in leaf order; `root` is the shared kernel's root node.
     pub fn of_triangles(binary: Option<&BinaryTree>, triangles: &[Triangle], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
-        let boxes: Vec<Bounds> = triangles.iter().map(crate::build::triangle_bounds).collect();
-        let mut end = 0;
-        let (mut tree, leaves) = Self::collapse(binary, &boxes, BLOCK_LEAF, root, |held| {
-            let begin = end;
-            end += words_of_block(held.len());
-            begin as u32
-        });
-        // Blocks are the largest part: they come once the boxes are gone, and at their exact number.
-        drop(boxes);
-        let mut words = memory::with_capacity(end + LOAD);
-        leaves.iter().for_each(|leaf| push_block(leaf, triangles, &mut words));
-        // What a load from the last row reaches beyond it.
-        words.extend([0; LOAD]);
-        tree.blocks = words;
+        let boxes = |i: u32| crate::build::triangle_bounds(&triangles[i as usize]);
+        let link = LeafLink::Position(|held| words_of_block(held) as u32);
+        let (mut tree, leaves) = Self::collapse(binary, boxes, BLOCK_LEAF, root, link);
+        tree.blocks = blocks(&leaves, triangles);
         tree
     }
 
@@ -181,6 +206,11 @@ impl SimdTree {
         }
     }
 
+    /// One past the last block's words.
+    pub(super) fn end_of_blocks(&self) -> usize {
+        self.blocks.len().saturating_sub(LOAD)
+    }
+
     /// The block of a leaf's link.
     #[inline(always)]
     pub fn block(&self, link: u32) -> Block<'_> {
@@ -191,69 +221,20 @@ impl SimdTree {
     /// Over the boxes of instances in leaf order; `root` is the shared kernel's TLAS root.
     pub fn of_instances(binary: Option<&BinaryTree>, boxes: &[Bounds], root: &Node) -> Self {
         let Some(binary) = binary else { return Self::empty() };
-        Self::collapse(binary, boxes, INSTANCE_LEAF, root, |held| held[0]).0
+        Self::collapse(binary, |i| boxes[i as usize], INSTANCE_LEAF, root, LeafLink::Primitive).0
     }
 
-    /// The nodes, and what each leaf holds. `link` says what a parent stores of a leaf, from its content.
+    /// The nodes, and what their leaves hold.
     fn collapse(
         binary: &BinaryTree,
-        boxes: &[Bounds],
+        boxes: impl Fn(u32) -> Bounds + Sync,
         cost: LeafCost,
         root: &Node,
-        mut link: impl FnMut(&[u32]) -> u32,
-    ) -> (Self, Leaves) {
-        let mut bounds = binary.bounds(boxes);
-        let balanced;
-        let mut tree = binary;
-        let mut wide = WideTree::collapse(tree, &bounds, cost);
-        if wide.depth > MAX_DEPTH {
-            balanced = BinaryTree::balanced(boxes);
-            tree = &balanced;
-            bounds = tree.bounds(boxes);
-            wide = WideTree::collapse(tree, &bounds, cost);
-        }
+        link: LeafLink,
+    ) -> (Self, Emitted<WideNode>) {
         let base = root.low();
-        let mut nodes = memory::with_capacity(wide.nodes.len());
-        let mut leaves = Leaves { ends: Vec::new(), primitives: Vec::with_capacity(boxes.len()) };
-        for index in 0..wide.nodes.len() {
-            let mut node = NO_CHILD;
-            let mut children = wide.children(index).to_vec();
-            // The last one pushed is visited first: let that be the one a ray meets most likely.
-            children.sort_by(|a, b| {
-                let area = |c: u32| bounds[c as usize].half_area();
-                area(a.binary).total_cmp(&area(b.binary))
-            });
-            for (lane, child) in children.iter().enumerate() {
-                let (low, high) = (bounds[child.binary as usize].low, bounds[child.binary as usize].high);
-                for axis in 0..3 {
-                    node.planes[2 * axis][lane] = low[axis] - base[axis];
-                    node.planes[2 * axis + 1][lane] = high[axis] - base[axis];
-                }
-                node.children[lane] = child.inner.unwrap_or_else(|| {
-                    let begin = leaves.primitives.len();
-                    tree.primitives_under(child.binary, &mut leaves.primitives);
-                    leaves.ends.push(leaves.primitives.len() as u32);
-                    LEAF | link(&leaves.primitives[begin..])
-                });
-            }
-            nodes.push(node);
-        }
-        (SimdTree { nodes, blocks: Vec::new(), base, low: root.low(), high: root.high() }, leaves)
-    }
-}
-
-/// What the leaves hold, one after the other.
-struct Leaves {
-    /// One past each leaf's last primitive.
-    ends: Vec<u32>,
-    primitives: Vec<u32>,
-}
-
-impl Leaves {
-    fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
-        (0..self.ends.len()).map(|leaf| {
-            let begin = if leaf == 0 { 0 } else { self.ends[leaf - 1] };
-            &self.primitives[begin as usize..self.ends[leaf] as usize]
-        })
+        let (mut wide, _) = wide_tree(&WideLayout { base, link }, binary, boxes, cost);
+        let nodes = std::mem::take(&mut wide.nodes);
+        (SimdTree { nodes, blocks: Vec::new(), base, low: root.low(), high: root.high() }, wide)
     }
 }

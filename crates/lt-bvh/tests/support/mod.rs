@@ -1,7 +1,7 @@
 //! Seeded scenes and rays, shared by tests and benches.
 #![allow(dead_code, reason = "each test binary and bench uses a part")]
 
-use lt_bvh::{AnyHit, Bvh, Opaque, Ray, Scalar, Tracer, Triangle, offset_origin};
+use lt_bvh::{AnyHit, Bvh, Hit, Opaque, Ray, Scalar, Tracer, Triangle, offset_origin};
 use lt_math::glam::{Vec2, Vec3};
 
 /// PCG-XSH-RR (O'Neill 2014).
@@ -188,9 +188,9 @@ pub fn sun_rays(bvh: &Bvh, side: u32) -> Vec<Ray> {
             rays.push(Ray::new(eye, forward + right * to(x) - up * to(y)));
         }
     }
-    let mut hits = vec![lt_bvh::Hit::miss(0.0); rays.len()];
+    let mut hits = vec![Hit::miss(0.0); rays.len()];
     Scalar::new(bvh).closest_batch(&rays, Opaque, &mut hits);
-    let shadow = |(ray, hit): (&Ray, &lt_bvh::Hit)| {
+    let shadow = |(ray, hit): (&Ray, &Hit)| {
         let t = bvh.triangles().get(hit.triangle as usize)?;
         let normal = (t.v1 - t.v0).cross(t.v2 - t.v0).normalize();
         let facing = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
@@ -199,4 +199,18 @@ pub fn sun_rays(bvh: &Bvh, side: u32) -> Vec<Ray> {
         (facing.dot(SUN) > 0.0).then(|| Ray::new(offset_origin(position, facing, magnitude), SUN.normalize()))
     };
     rays.iter().zip(&hits).filter_map(shadow).collect()
+}
+
+/// Each ray's nearest hit.
+pub fn closest<A: AnyHit>(tracer: &impl Tracer, rays: &[Ray], any_hit: A) -> Vec<Hit> {
+    let mut hits = vec![Hit::miss(0.0); rays.len()];
+    tracer.closest_batch(rays, any_hit, &mut hits);
+    hits
+}
+
+/// Whether each ray is blocked.
+pub fn occluded<A: AnyHit>(tracer: &impl Tracer, rays: &[Ray], any_hit: A) -> Vec<bool> {
+    let mut blocked = vec![false; rays.len()];
+    tracer.occluded_batch(rays, any_hit, &mut blocked);
+    blocked
 }
