@@ -4,7 +4,7 @@ mod support;
 
 use lt_bvh::{
     AnyHit, BuildQuality, Bvh, Grouping, Hit, InstancedBvh, NONE, Opaque, Placement, Ray, Scalar, Simd,
-    SimdLevel, Tracer, Triangle, closest_hit,
+    SimdLevel, Triangle, closest_hit,
 };
 use lt_math::glam::{Affine3A, DVec3, Quat, Vec3};
 use support::{Leaf, Mesh, Rng, city, closest, foliage, leaf_texels, occluded, soup, sun_rays};
@@ -226,6 +226,54 @@ fn instances_agree_with_their_flattened_triangles() {
         let first = scene.first_triangle(blas).unwrap();
         let held = first..first + blases[blas].triangles().len() as u32;
         assert!(held.contains(&hit.triangle));
+    }
+}
+
+/// Rays of neighbours toward a point light, tile by tile, some of them unusable: packets whose rays differ in direction.
+fn rays_to_a_point(seed: u64) -> Vec<Ray> {
+    let mut rng = Rng::new(seed);
+    let light = Vec3::new(0.3, 1.4, -0.2);
+    let mut rays = Vec::new();
+    for _ in 0..1_500 {
+        let corner = Vec3::new(rng.range(-1.0, 1.0), rng.range(-1.0, 1.2), rng.range(-1.0, 1.0));
+        for i in 0..61 {
+            let origin = corner + Vec3::new((i % 8) as f32, (i / 8) as f32 * 0.3, (i / 8) as f32) * 0.004;
+            let direction = if rng.unit() < 0.01 { Vec3::NAN } else { light - origin };
+            rays.push(Ray { tmax: 1.0, ..Ray::new(origin, direction) });
+        }
+    }
+    rays
+}
+
+#[test]
+fn packets_toward_a_point_answer_with_the_kernels_bits() {
+    let rays = rays_to_a_point(11);
+    let mesh = foliage(6_000, 3);
+    let bvh = mesh.build(BuildQuality::Medium);
+    let texels = leaf_texels();
+    let leaf = Leaf { triangles: bvh.triangles(), uvs: &mesh.uvs, texels: &texels };
+    let opaque = assert_agreement(&Scalar::new(&bvh), || Simd::new(&bvh), &rays, Opaque);
+    let tested = assert_agreement(&Scalar::new(&bvh), || Simd::new(&bvh), &rays, leaf);
+    assert!(
+        opaque > 10_000 && tested < opaque && tested > opaque / 4,
+        "{tested} of {opaque} show too little"
+    );
+    let bvh = soup(5_000, 1).build(BuildQuality::Medium);
+    let hits = assert_agreement(&Scalar::new(&bvh), || Simd::new(&bvh), &rays, Opaque);
+    assert!(hits > 10_000, "{hits} hits show too little");
+}
+
+#[test]
+fn packets_answer_with_the_kernels_bits_on_instances() {
+    let meshes = [soup(500, 1), city(20, 2), foliage(300, 3), Mesh::default()];
+    let blases: Vec<Bvh> = meshes.iter().map(|m| m.build(BuildQuality::Medium)).collect();
+    let scene = InstancedBvh::build(&blases, &placements(100, 4, 5)).unwrap();
+    let to_a_point = rays_to_a_point(12);
+    let sun = Vec3::new(0.2, 1.0, -0.4);
+    let to_a_sun: Vec<Ray> = to_a_point.iter().map(|ray| Ray::new(ray.origin, sun)).collect();
+    for rays in [to_a_point, to_a_sun] {
+        let hits = assert_agreement(&Scalar::instanced(&scene), || Simd::instanced(&scene), &rays, Opaque);
+        assert!(hits > 10_000, "{hits} hits show too little");
     }
 }
 
