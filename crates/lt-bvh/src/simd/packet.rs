@@ -322,8 +322,7 @@ impl Packet {
                 reach = rays.max(reach, rays.max(to_high, rays.sub(zero, to_high)));
             }
             let triangle_reach = rays.mul(reach, rays.splat(TRIANGLE_MARGIN));
-            for axis in 0..3 {
-                let d = direction[axis];
+            for (axis, &d) in direction.iter().enumerate() {
                 let magnitude = rays.max(rays.max(d, rays.sub(zero, d)), least);
                 let one = rays.splat(if kind.is_negative[axis] { -1.0 } else { 1.0 });
                 let inverse = rays.div(one, magnitude);
