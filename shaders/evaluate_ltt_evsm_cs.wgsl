@@ -1,14 +1,3 @@
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct type_8 {
-    member: array<u32>,
-}
-
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -18,17 +7,38 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_22 {
+struct type_10 {
     member: array<abi_Sample>,
 }
 
-struct type_26 {
+struct type_14 {
+    member: array<u32>,
+}
+
+struct type_18 {
     member: array<f32>,
 }
 
 struct lt_bvh_traverse_Tree {
     root: u32,
     first_primitive: u32,
+}
+
+struct evaluate_Verdict {
+    visibility: f32,
+    is_doubted: bool,
+}
+
+struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
+    unnamed: evaluate_Verdict,
+    unnamed_1: bool,
+}
+
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct lt_math_Evsm {
@@ -50,70 +60,60 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_36 {
+struct type_39 {
     member: abi_ShadowParams,
 }
 
-struct evaluate_Verdict {
-    visibility: f32,
-    is_doubted: bool,
-}
-
-struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    unnamed: evaluate_Verdict,
-    unnamed_1: bool,
-}
-
-struct type_43 {
+struct type_44 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> samples: type_22;
-var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
-@group(0) @binding(0) 
-var<uniform> p: type_36;
-@group(0) @binding(2) 
-var<storage> map: type_26;
-@group(0) @binding(3) 
-var<storage, read_write> visibility: type_26;
 var<private> local_2: u32;
-@group(0) @binding(4) 
-var<storage, read_write> list: type_43;
+@group(0) @binding(1) 
+var<storage> samples: type_10;
+var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
+@group(0) @binding(0) 
+var<uniform> p: type_39;
+@group(0) @binding(2) 
+var<storage> map: type_18;
+@group(0) @binding(3) 
+var<storage, read_write> visibility: type_18;
+@group(0) @binding(4) 
+var<storage, read_write> list: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_164_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_166_: bool;
+    var phi_171_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_163_ = false;
+            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_164_ = false;
         } else {
-            phi_162_ = lt_bvh_traverse_Tree();
-            phi_163_ = true;
+            phi_163_ = lt_bvh_traverse_Tree();
+            phi_164_ = true;
         }
-        let _e64 = phi_162_;
-        let _e66 = phi_163_;
-        phi_164_ = _e64;
-        phi_165_ = _e66;
+        let _e64 = phi_163_;
+        let _e66 = phi_164_;
+        phi_165_ = _e64;
+        phi_166_ = _e66;
     } else {
-        phi_164_ = lt_bvh_traverse_Tree();
-        phi_165_ = true;
+        phi_165_ = lt_bvh_traverse_Tree();
+        phi_166_ = true;
     }
-    let _e68 = phi_164_;
-    let _e70 = phi_165_;
+    let _e68 = phi_165_;
+    let _e70 = phi_166_;
     if _e70 {
-        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_170_ = _e68;
+        phi_171_ = _e68;
     }
-    let _e75 = phi_170_;
+    let _e75 = phi_171_;
     return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
@@ -122,137 +122,137 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_positive(param_4: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_194_: bool;
-    var phi_198_: f32;
+    var phi_195_: bool;
+    var phi_199_: f32;
 
     let _e53 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_194_ = true;
+        phi_195_ = true;
     } else {
         let _e57 = (42f < _e53);
         if _e57 {
         }
-        phi_194_ = _e57;
+        phi_195_ = _e57;
     }
-    let _e59 = phi_194_;
+    let _e59 = phi_195_;
     if _e59 {
-        phi_198_ = 42f;
+        phi_199_ = 42f;
     } else {
-        phi_198_ = _e53;
+        phi_199_ = _e53;
     }
-    let _e61 = phi_198_;
+    let _e61 = phi_199_;
     return _e61;
 }
 
 fn _lt_math_evsm_Evsm_negative(param_5: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_213_: bool;
-    var phi_217_: f32;
+    var phi_214_: bool;
+    var phi_218_: f32;
 
     let _e53 = (*param_5).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_213_ = true;
+        phi_214_ = true;
     } else {
         let _e57 = (42f < _e53);
         if _e57 {
         }
-        phi_213_ = _e57;
+        phi_214_ = _e57;
     }
-    let _e59 = phi_213_;
+    let _e59 = phi_214_;
     if _e59 {
-        phi_217_ = 42f;
+        phi_218_ = 42f;
     } else {
-        phi_217_ = _e53;
+        phi_218_ = _e53;
     }
-    let _e61 = phi_217_;
+    let _e61 = phi_218_;
     return _e61;
 }
 
 fn _lt_math_evsm_Evsm_bound_of_offsets(param_6: ptr<function, lt_math_Evsm>, param_7: vec4<f32>, param_8: vec4<f32>) -> f32 {
-    var phi_395_: f32;
-    var phi_400_: f32;
-    var phi_422_: f32;
-    var phi_427_: f32;
-    var phi_428_: bool;
-    var phi_429_: f32;
-    var phi_430_: bool;
-    var phi_434_: f32;
-    var phi_472_: f32;
-    var phi_483_: f32;
-    var phi_488_: f32;
-    var phi_510_: f32;
-    var phi_515_: f32;
-    var phi_516_: bool;
-    var phi_517_: f32;
-    var phi_518_: bool;
-    var phi_522_: f32;
-    var phi_560_: f32;
-    var phi_571_: f32;
-    var phi_576_: f32;
-    var phi_598_: f32;
-    var phi_603_: f32;
-    var phi_604_: bool;
-    var phi_605_: f32;
-    var phi_606_: bool;
-    var phi_610_: f32;
-    var phi_648_: f32;
-    var phi_659_: f32;
-    var phi_664_: f32;
-    var phi_686_: f32;
-    var phi_691_: f32;
-    var phi_692_: bool;
-    var phi_693_: f32;
-    var phi_694_: bool;
-    var phi_698_: f32;
-    var phi_736_: f32;
-    var phi_789_: bool;
-    var phi_793_: f32;
-    var phi_805_: bool;
-    var phi_812_: f32;
-    var phi_833_: f32;
-    var phi_838_: f32;
-    var phi_860_: f32;
-    var phi_865_: f32;
-    var phi_866_: bool;
-    var phi_867_: f32;
-    var phi_868_: bool;
-    var phi_872_: f32;
-    var phi_910_: f32;
-    var phi_921_: f32;
-    var phi_926_: f32;
-    var phi_948_: f32;
-    var phi_953_: f32;
-    var phi_954_: bool;
-    var phi_955_: f32;
-    var phi_956_: bool;
-    var phi_960_: f32;
-    var phi_998_: f32;
-    var phi_1009_: f32;
-    var phi_1014_: f32;
-    var phi_1036_: f32;
-    var phi_1041_: f32;
-    var phi_1042_: bool;
-    var phi_1043_: f32;
-    var phi_1044_: bool;
-    var phi_1048_: f32;
-    var phi_1086_: f32;
-    var phi_1097_: f32;
-    var phi_1102_: f32;
-    var phi_1124_: f32;
-    var phi_1129_: f32;
-    var phi_1130_: bool;
-    var phi_1131_: f32;
-    var phi_1132_: bool;
-    var phi_1136_: f32;
-    var phi_1174_: f32;
-    var phi_1227_: bool;
-    var phi_1231_: f32;
-    var phi_1243_: bool;
-    var phi_1250_: f32;
-    var phi_1261_: bool;
-    var phi_1265_: f32;
-    var phi_1280_: f32;
+    var phi_396_: f32;
+    var phi_401_: f32;
+    var phi_423_: f32;
+    var phi_428_: f32;
+    var phi_429_: bool;
+    var phi_430_: f32;
+    var phi_431_: bool;
+    var phi_435_: f32;
+    var phi_473_: f32;
+    var phi_484_: f32;
+    var phi_489_: f32;
+    var phi_511_: f32;
+    var phi_516_: f32;
+    var phi_517_: bool;
+    var phi_518_: f32;
+    var phi_519_: bool;
+    var phi_523_: f32;
+    var phi_561_: f32;
+    var phi_572_: f32;
+    var phi_577_: f32;
+    var phi_599_: f32;
+    var phi_604_: f32;
+    var phi_605_: bool;
+    var phi_606_: f32;
+    var phi_607_: bool;
+    var phi_611_: f32;
+    var phi_649_: f32;
+    var phi_660_: f32;
+    var phi_665_: f32;
+    var phi_687_: f32;
+    var phi_692_: f32;
+    var phi_693_: bool;
+    var phi_694_: f32;
+    var phi_695_: bool;
+    var phi_699_: f32;
+    var phi_737_: f32;
+    var phi_790_: bool;
+    var phi_794_: f32;
+    var phi_806_: bool;
+    var phi_813_: f32;
+    var phi_834_: f32;
+    var phi_839_: f32;
+    var phi_861_: f32;
+    var phi_866_: f32;
+    var phi_867_: bool;
+    var phi_868_: f32;
+    var phi_869_: bool;
+    var phi_873_: f32;
+    var phi_911_: f32;
+    var phi_922_: f32;
+    var phi_927_: f32;
+    var phi_949_: f32;
+    var phi_954_: f32;
+    var phi_955_: bool;
+    var phi_956_: f32;
+    var phi_957_: bool;
+    var phi_961_: f32;
+    var phi_999_: f32;
+    var phi_1010_: f32;
+    var phi_1015_: f32;
+    var phi_1037_: f32;
+    var phi_1042_: f32;
+    var phi_1043_: bool;
+    var phi_1044_: f32;
+    var phi_1045_: bool;
+    var phi_1049_: f32;
+    var phi_1087_: f32;
+    var phi_1098_: f32;
+    var phi_1103_: f32;
+    var phi_1125_: f32;
+    var phi_1130_: f32;
+    var phi_1131_: bool;
+    var phi_1132_: f32;
+    var phi_1133_: bool;
+    var phi_1137_: f32;
+    var phi_1175_: f32;
+    var phi_1228_: bool;
+    var phi_1232_: f32;
+    var phi_1244_: bool;
+    var phi_1251_: f32;
+    var phi_1262_: bool;
+    var phi_1266_: f32;
     var phi_1281_: f32;
     var phi_1282_: f32;
+    var phi_1283_: f32;
 
     let _e54 = _lt_math_evsm_Evsm_positive(param_6);
     let _e56 = (_e54 * param_7.x);
@@ -260,209 +260,209 @@ fn _lt_math_evsm_Evsm_bound_of_offsets(param_6: ptr<function, lt_math_Evsm>, par
     let _e60 = (_e54 * param_7.z);
     let _e62 = (_e54 * param_7.w);
     if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
-        phi_472_ = _e56;
+        phi_473_ = _e56;
     } else {
         if (_e56 < -87f) {
-            phi_395_ = -87f;
+            phi_396_ = -87f;
         } else {
-            phi_395_ = _e56;
+            phi_396_ = _e56;
         }
-        let _e68 = phi_395_;
+        let _e68 = phi_396_;
         if (_e68 > 88f) {
-            phi_400_ = 88f;
+            phi_401_ = 88f;
         } else {
-            phi_400_ = _e68;
+            phi_401_ = _e68;
         }
-        let _e71 = phi_400_;
+        let _e71 = phi_401_;
         let _e73 = ((_e71 * 1.442695f) + 0.5f);
         if (_e73 > -8388608f) {
             let _e85 = f32(select(0i, select(select(i32(_e73), i32(-2147483648), (_e73 < bitcast<f32>(3472883712u))), 2147483647i, (_e73 > bitcast<f32>(1325400063u))), (_e73 == _e73)));
             if (_e85 > _e73) {
-                phi_422_ = 1f;
+                phi_423_ = 1f;
             } else {
-                phi_422_ = 0f;
+                phi_423_ = 0f;
             }
-            let _e88 = phi_422_;
+            let _e88 = phi_423_;
             if (_e73 < 8388608f) {
-                phi_427_ = (_e85 - _e88);
-                phi_428_ = false;
+                phi_428_ = (_e85 - _e88);
+                phi_429_ = false;
             } else {
-                phi_427_ = f32();
-                phi_428_ = true;
+                phi_428_ = f32();
+                phi_429_ = true;
             }
-            let _e91 = phi_427_;
-            let _e93 = phi_428_;
-            phi_429_ = _e91;
-            phi_430_ = _e93;
+            let _e91 = phi_428_;
+            let _e93 = phi_429_;
+            phi_430_ = _e91;
+            phi_431_ = _e93;
         } else {
-            phi_429_ = f32();
-            phi_430_ = true;
+            phi_430_ = f32();
+            phi_431_ = true;
         }
-        let _e95 = phi_429_;
-        let _e97 = phi_430_;
+        let _e95 = phi_430_;
+        let _e97 = phi_431_;
         if _e97 {
-            phi_434_ = _e73;
+            phi_435_ = _e73;
         } else {
-            phi_434_ = _e95;
+            phi_435_ = _e95;
         }
-        let _e99 = phi_434_;
+        let _e99 = phi_435_;
         let _e103 = ((_e71 - (_e99 * 0.69314575f)) - (_e99 * 0.0000014286068f));
-        phi_472_ = ((((((((((((((((1f / 5040f) * _e103) + (1f / 720f)) * _e103) + (1f / 120f)) * _e103) + (1f / 24f)) * _e103) + (1f / 6f)) * _e103) + 0.5f) * _e103) + 1f) * _e103) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e99), i32(-2147483648), (_e99 < bitcast<f32>(3472883712u))), 2147483647i, (_e99 > bitcast<f32>(1325400063u))), (_e99 == _e99)) + 127i)) << bitcast<u32>(23i))));
+        phi_473_ = ((((((((((((((((1f / 5040f) * _e103) + (1f / 720f)) * _e103) + (1f / 120f)) * _e103) + (1f / 24f)) * _e103) + (1f / 6f)) * _e103) + 0.5f) * _e103) + 1f) * _e103) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e99), i32(-2147483648), (_e99 < bitcast<f32>(3472883712u))), 2147483647i, (_e99 > bitcast<f32>(1325400063u))), (_e99 == _e99)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e139 = phi_472_;
+    let _e139 = phi_473_;
     if ((bitcast<u32>(_e58) & 2147483647u) > 2139095040u) {
-        phi_560_ = _e58;
+        phi_561_ = _e58;
     } else {
         if (_e58 < -87f) {
-            phi_483_ = -87f;
+            phi_484_ = -87f;
         } else {
-            phi_483_ = _e58;
+            phi_484_ = _e58;
         }
-        let _e145 = phi_483_;
+        let _e145 = phi_484_;
         if (_e145 > 88f) {
-            phi_488_ = 88f;
+            phi_489_ = 88f;
         } else {
-            phi_488_ = _e145;
+            phi_489_ = _e145;
         }
-        let _e148 = phi_488_;
+        let _e148 = phi_489_;
         let _e150 = ((_e148 * 1.442695f) + 0.5f);
         if (_e150 > -8388608f) {
             let _e162 = f32(select(0i, select(select(i32(_e150), i32(-2147483648), (_e150 < bitcast<f32>(3472883712u))), 2147483647i, (_e150 > bitcast<f32>(1325400063u))), (_e150 == _e150)));
             if (_e162 > _e150) {
-                phi_510_ = 1f;
+                phi_511_ = 1f;
             } else {
-                phi_510_ = 0f;
+                phi_511_ = 0f;
             }
-            let _e165 = phi_510_;
+            let _e165 = phi_511_;
             if (_e150 < 8388608f) {
-                phi_515_ = (_e162 - _e165);
-                phi_516_ = false;
+                phi_516_ = (_e162 - _e165);
+                phi_517_ = false;
             } else {
-                phi_515_ = f32();
-                phi_516_ = true;
+                phi_516_ = f32();
+                phi_517_ = true;
             }
-            let _e168 = phi_515_;
-            let _e170 = phi_516_;
-            phi_517_ = _e168;
-            phi_518_ = _e170;
+            let _e168 = phi_516_;
+            let _e170 = phi_517_;
+            phi_518_ = _e168;
+            phi_519_ = _e170;
         } else {
-            phi_517_ = f32();
-            phi_518_ = true;
+            phi_518_ = f32();
+            phi_519_ = true;
         }
-        let _e172 = phi_517_;
-        let _e174 = phi_518_;
+        let _e172 = phi_518_;
+        let _e174 = phi_519_;
         if _e174 {
-            phi_522_ = _e150;
+            phi_523_ = _e150;
         } else {
-            phi_522_ = _e172;
+            phi_523_ = _e172;
         }
-        let _e176 = phi_522_;
+        let _e176 = phi_523_;
         let _e180 = ((_e148 - (_e176 * 0.69314575f)) - (_e176 * 0.0000014286068f));
-        phi_560_ = ((((((((((((((((1f / 5040f) * _e180) + (1f / 720f)) * _e180) + (1f / 120f)) * _e180) + (1f / 24f)) * _e180) + (1f / 6f)) * _e180) + 0.5f) * _e180) + 1f) * _e180) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e176), i32(-2147483648), (_e176 < bitcast<f32>(3472883712u))), 2147483647i, (_e176 > bitcast<f32>(1325400063u))), (_e176 == _e176)) + 127i)) << bitcast<u32>(23i))));
+        phi_561_ = ((((((((((((((((1f / 5040f) * _e180) + (1f / 720f)) * _e180) + (1f / 120f)) * _e180) + (1f / 24f)) * _e180) + (1f / 6f)) * _e180) + 0.5f) * _e180) + 1f) * _e180) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e176), i32(-2147483648), (_e176 < bitcast<f32>(3472883712u))), 2147483647i, (_e176 > bitcast<f32>(1325400063u))), (_e176 == _e176)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e216 = phi_560_;
+    let _e216 = phi_561_;
     if ((bitcast<u32>(_e60) & 2147483647u) > 2139095040u) {
-        phi_648_ = _e60;
+        phi_649_ = _e60;
     } else {
         if (_e60 < -87f) {
-            phi_571_ = -87f;
+            phi_572_ = -87f;
         } else {
-            phi_571_ = _e60;
+            phi_572_ = _e60;
         }
-        let _e222 = phi_571_;
+        let _e222 = phi_572_;
         if (_e222 > 88f) {
-            phi_576_ = 88f;
+            phi_577_ = 88f;
         } else {
-            phi_576_ = _e222;
+            phi_577_ = _e222;
         }
-        let _e225 = phi_576_;
+        let _e225 = phi_577_;
         let _e227 = ((_e225 * 1.442695f) + 0.5f);
         if (_e227 > -8388608f) {
             let _e239 = f32(select(0i, select(select(i32(_e227), i32(-2147483648), (_e227 < bitcast<f32>(3472883712u))), 2147483647i, (_e227 > bitcast<f32>(1325400063u))), (_e227 == _e227)));
             if (_e239 > _e227) {
-                phi_598_ = 1f;
+                phi_599_ = 1f;
             } else {
-                phi_598_ = 0f;
+                phi_599_ = 0f;
             }
-            let _e242 = phi_598_;
+            let _e242 = phi_599_;
             if (_e227 < 8388608f) {
-                phi_603_ = (_e239 - _e242);
-                phi_604_ = false;
+                phi_604_ = (_e239 - _e242);
+                phi_605_ = false;
             } else {
-                phi_603_ = f32();
-                phi_604_ = true;
+                phi_604_ = f32();
+                phi_605_ = true;
             }
-            let _e245 = phi_603_;
-            let _e247 = phi_604_;
-            phi_605_ = _e245;
-            phi_606_ = _e247;
+            let _e245 = phi_604_;
+            let _e247 = phi_605_;
+            phi_606_ = _e245;
+            phi_607_ = _e247;
         } else {
-            phi_605_ = f32();
-            phi_606_ = true;
+            phi_606_ = f32();
+            phi_607_ = true;
         }
-        let _e249 = phi_605_;
-        let _e251 = phi_606_;
+        let _e249 = phi_606_;
+        let _e251 = phi_607_;
         if _e251 {
-            phi_610_ = _e227;
+            phi_611_ = _e227;
         } else {
-            phi_610_ = _e249;
+            phi_611_ = _e249;
         }
-        let _e253 = phi_610_;
+        let _e253 = phi_611_;
         let _e257 = ((_e225 - (_e253 * 0.69314575f)) - (_e253 * 0.0000014286068f));
-        phi_648_ = ((((((((((((((((1f / 5040f) * _e257) + (1f / 720f)) * _e257) + (1f / 120f)) * _e257) + (1f / 24f)) * _e257) + (1f / 6f)) * _e257) + 0.5f) * _e257) + 1f) * _e257) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e253), i32(-2147483648), (_e253 < bitcast<f32>(3472883712u))), 2147483647i, (_e253 > bitcast<f32>(1325400063u))), (_e253 == _e253)) + 127i)) << bitcast<u32>(23i))));
+        phi_649_ = ((((((((((((((((1f / 5040f) * _e257) + (1f / 720f)) * _e257) + (1f / 120f)) * _e257) + (1f / 24f)) * _e257) + (1f / 6f)) * _e257) + 0.5f) * _e257) + 1f) * _e257) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e253), i32(-2147483648), (_e253 < bitcast<f32>(3472883712u))), 2147483647i, (_e253 > bitcast<f32>(1325400063u))), (_e253 == _e253)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e293 = phi_648_;
+    let _e293 = phi_649_;
     if ((bitcast<u32>(_e62) & 2147483647u) > 2139095040u) {
-        phi_736_ = _e62;
+        phi_737_ = _e62;
     } else {
         if (_e62 < -87f) {
-            phi_659_ = -87f;
+            phi_660_ = -87f;
         } else {
-            phi_659_ = _e62;
+            phi_660_ = _e62;
         }
-        let _e299 = phi_659_;
+        let _e299 = phi_660_;
         if (_e299 > 88f) {
-            phi_664_ = 88f;
+            phi_665_ = 88f;
         } else {
-            phi_664_ = _e299;
+            phi_665_ = _e299;
         }
-        let _e302 = phi_664_;
+        let _e302 = phi_665_;
         let _e304 = ((_e302 * 1.442695f) + 0.5f);
         if (_e304 > -8388608f) {
             let _e316 = f32(select(0i, select(select(i32(_e304), i32(-2147483648), (_e304 < bitcast<f32>(3472883712u))), 2147483647i, (_e304 > bitcast<f32>(1325400063u))), (_e304 == _e304)));
             if (_e316 > _e304) {
-                phi_686_ = 1f;
+                phi_687_ = 1f;
             } else {
-                phi_686_ = 0f;
+                phi_687_ = 0f;
             }
-            let _e319 = phi_686_;
+            let _e319 = phi_687_;
             if (_e304 < 8388608f) {
-                phi_691_ = (_e316 - _e319);
-                phi_692_ = false;
+                phi_692_ = (_e316 - _e319);
+                phi_693_ = false;
             } else {
-                phi_691_ = f32();
-                phi_692_ = true;
+                phi_692_ = f32();
+                phi_693_ = true;
             }
-            let _e322 = phi_691_;
-            let _e324 = phi_692_;
-            phi_693_ = _e322;
-            phi_694_ = _e324;
+            let _e322 = phi_692_;
+            let _e324 = phi_693_;
+            phi_694_ = _e322;
+            phi_695_ = _e324;
         } else {
-            phi_693_ = f32();
-            phi_694_ = true;
+            phi_694_ = f32();
+            phi_695_ = true;
         }
-        let _e326 = phi_693_;
-        let _e328 = phi_694_;
+        let _e326 = phi_694_;
+        let _e328 = phi_695_;
         if _e328 {
-            phi_698_ = _e304;
+            phi_699_ = _e304;
         } else {
-            phi_698_ = _e326;
+            phi_699_ = _e326;
         }
-        let _e330 = phi_698_;
+        let _e330 = phi_699_;
         let _e334 = ((_e302 - (_e330 * 0.69314575f)) - (_e330 * 0.0000014286068f));
-        phi_736_ = ((((((((((((((((1f / 5040f) * _e334) + (1f / 720f)) * _e334) + (1f / 120f)) * _e334) + (1f / 24f)) * _e334) + (1f / 6f)) * _e334) + 0.5f) * _e334) + 1f) * _e334) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e330), i32(-2147483648), (_e330 < bitcast<f32>(3472883712u))), 2147483647i, (_e330 > bitcast<f32>(1325400063u))), (_e330 == _e330)) + 127i)) << bitcast<u32>(23i))));
+        phi_737_ = ((((((((((((((((1f / 5040f) * _e334) + (1f / 720f)) * _e334) + (1f / 120f)) * _e334) + (1f / 24f)) * _e334) + (1f / 6f)) * _e334) + 0.5f) * _e334) + 1f) * _e334) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e330), i32(-2147483648), (_e330 < bitcast<f32>(3472883712u))), 2147483647i, (_e330 > bitcast<f32>(1325400063u))), (_e330 == _e330)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e370 = phi_736_;
+    let _e370 = phi_737_;
     let _e372 = (_e139 - vec4<f32>(1f, 1f, 1f, 1f).x);
     let _e374 = (_e216 - vec4<f32>(1f, 1f, 1f, 1f).y);
     let _e376 = (_e293 - vec4<f32>(1f, 1f, 1f, 1f).z);
@@ -476,36 +476,36 @@ fn _lt_math_evsm_Evsm_bound_of_offsets(param_6: ptr<function, lt_math_Evsm>, par
     let _e397 = (_e378 - _e393);
     let _e412 = (((((_e394 * _e394) * param_8.x) + ((_e395 * _e395) * param_8.y)) + ((_e396 * _e396) * param_8.z)) + ((_e397 * _e397) * param_8.w));
     if ((bitcast<u32>(_e382) & 2147483647u) > 2139095040u) {
-        phi_789_ = true;
+        phi_790_ = true;
     } else {
         let _e416 = (_e382 > _e412);
         if _e416 {
         }
-        phi_789_ = _e416;
+        phi_790_ = _e416;
     }
-    let _e418 = phi_789_;
+    let _e418 = phi_790_;
     if _e418 {
-        phi_793_ = _e382;
+        phi_794_ = _e382;
     } else {
-        phi_793_ = _e412;
+        phi_794_ = _e412;
     }
-    let _e420 = phi_793_;
+    let _e420 = phi_794_;
     let _e421 = -(_e393);
     if (_e421 <= 0f) {
         let _e425 = ((bitcast<u32>(_e420) & 2147483647u) > 2139095040u);
         if _e425 {
         }
-        phi_805_ = _e425;
+        phi_806_ = _e425;
     } else {
-        phi_805_ = true;
+        phi_806_ = true;
     }
-    let _e427 = phi_805_;
+    let _e427 = phi_806_;
     if _e427 {
-        phi_812_ = (_e420 / (_e420 + (_e421 * _e421)));
+        phi_813_ = (_e420 / (_e420 + (_e421 * _e421)));
     } else {
-        phi_812_ = 1f;
+        phi_813_ = 1f;
     }
-    let _e432 = phi_812_;
+    let _e432 = phi_813_;
     let _e433 = _lt_math_evsm_Evsm_negative(param_6);
     let _e434 = -(_e433);
     let _e436 = (_e434 * param_7.x);
@@ -513,209 +513,209 @@ fn _lt_math_evsm_Evsm_bound_of_offsets(param_6: ptr<function, lt_math_Evsm>, par
     let _e440 = (_e434 * param_7.z);
     let _e442 = (_e434 * param_7.w);
     if ((bitcast<u32>(_e436) & 2147483647u) > 2139095040u) {
-        phi_910_ = _e436;
+        phi_911_ = _e436;
     } else {
         if (_e436 < -87f) {
-            phi_833_ = -87f;
+            phi_834_ = -87f;
         } else {
-            phi_833_ = _e436;
+            phi_834_ = _e436;
         }
-        let _e448 = phi_833_;
+        let _e448 = phi_834_;
         if (_e448 > 88f) {
-            phi_838_ = 88f;
+            phi_839_ = 88f;
         } else {
-            phi_838_ = _e448;
+            phi_839_ = _e448;
         }
-        let _e451 = phi_838_;
+        let _e451 = phi_839_;
         let _e453 = ((_e451 * 1.442695f) + 0.5f);
         if (_e453 > -8388608f) {
             let _e465 = f32(select(0i, select(select(i32(_e453), i32(-2147483648), (_e453 < bitcast<f32>(3472883712u))), 2147483647i, (_e453 > bitcast<f32>(1325400063u))), (_e453 == _e453)));
             if (_e465 > _e453) {
-                phi_860_ = 1f;
+                phi_861_ = 1f;
             } else {
-                phi_860_ = 0f;
+                phi_861_ = 0f;
             }
-            let _e468 = phi_860_;
+            let _e468 = phi_861_;
             if (_e453 < 8388608f) {
-                phi_865_ = (_e465 - _e468);
-                phi_866_ = false;
+                phi_866_ = (_e465 - _e468);
+                phi_867_ = false;
             } else {
-                phi_865_ = f32();
-                phi_866_ = true;
+                phi_866_ = f32();
+                phi_867_ = true;
             }
-            let _e471 = phi_865_;
-            let _e473 = phi_866_;
-            phi_867_ = _e471;
-            phi_868_ = _e473;
+            let _e471 = phi_866_;
+            let _e473 = phi_867_;
+            phi_868_ = _e471;
+            phi_869_ = _e473;
         } else {
-            phi_867_ = f32();
-            phi_868_ = true;
+            phi_868_ = f32();
+            phi_869_ = true;
         }
-        let _e475 = phi_867_;
-        let _e477 = phi_868_;
+        let _e475 = phi_868_;
+        let _e477 = phi_869_;
         if _e477 {
-            phi_872_ = _e453;
+            phi_873_ = _e453;
         } else {
-            phi_872_ = _e475;
+            phi_873_ = _e475;
         }
-        let _e479 = phi_872_;
+        let _e479 = phi_873_;
         let _e483 = ((_e451 - (_e479 * 0.69314575f)) - (_e479 * 0.0000014286068f));
-        phi_910_ = ((((((((((((((((1f / 5040f) * _e483) + (1f / 720f)) * _e483) + (1f / 120f)) * _e483) + (1f / 24f)) * _e483) + (1f / 6f)) * _e483) + 0.5f) * _e483) + 1f) * _e483) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e479), i32(-2147483648), (_e479 < bitcast<f32>(3472883712u))), 2147483647i, (_e479 > bitcast<f32>(1325400063u))), (_e479 == _e479)) + 127i)) << bitcast<u32>(23i))));
+        phi_911_ = ((((((((((((((((1f / 5040f) * _e483) + (1f / 720f)) * _e483) + (1f / 120f)) * _e483) + (1f / 24f)) * _e483) + (1f / 6f)) * _e483) + 0.5f) * _e483) + 1f) * _e483) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e479), i32(-2147483648), (_e479 < bitcast<f32>(3472883712u))), 2147483647i, (_e479 > bitcast<f32>(1325400063u))), (_e479 == _e479)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e519 = phi_910_;
+    let _e519 = phi_911_;
     if ((bitcast<u32>(_e438) & 2147483647u) > 2139095040u) {
-        phi_998_ = _e438;
+        phi_999_ = _e438;
     } else {
         if (_e438 < -87f) {
-            phi_921_ = -87f;
+            phi_922_ = -87f;
         } else {
-            phi_921_ = _e438;
+            phi_922_ = _e438;
         }
-        let _e525 = phi_921_;
+        let _e525 = phi_922_;
         if (_e525 > 88f) {
-            phi_926_ = 88f;
+            phi_927_ = 88f;
         } else {
-            phi_926_ = _e525;
+            phi_927_ = _e525;
         }
-        let _e528 = phi_926_;
+        let _e528 = phi_927_;
         let _e530 = ((_e528 * 1.442695f) + 0.5f);
         if (_e530 > -8388608f) {
             let _e542 = f32(select(0i, select(select(i32(_e530), i32(-2147483648), (_e530 < bitcast<f32>(3472883712u))), 2147483647i, (_e530 > bitcast<f32>(1325400063u))), (_e530 == _e530)));
             if (_e542 > _e530) {
-                phi_948_ = 1f;
+                phi_949_ = 1f;
             } else {
-                phi_948_ = 0f;
+                phi_949_ = 0f;
             }
-            let _e545 = phi_948_;
+            let _e545 = phi_949_;
             if (_e530 < 8388608f) {
-                phi_953_ = (_e542 - _e545);
-                phi_954_ = false;
+                phi_954_ = (_e542 - _e545);
+                phi_955_ = false;
             } else {
-                phi_953_ = f32();
-                phi_954_ = true;
+                phi_954_ = f32();
+                phi_955_ = true;
             }
-            let _e548 = phi_953_;
-            let _e550 = phi_954_;
-            phi_955_ = _e548;
-            phi_956_ = _e550;
+            let _e548 = phi_954_;
+            let _e550 = phi_955_;
+            phi_956_ = _e548;
+            phi_957_ = _e550;
         } else {
-            phi_955_ = f32();
-            phi_956_ = true;
+            phi_956_ = f32();
+            phi_957_ = true;
         }
-        let _e552 = phi_955_;
-        let _e554 = phi_956_;
+        let _e552 = phi_956_;
+        let _e554 = phi_957_;
         if _e554 {
-            phi_960_ = _e530;
+            phi_961_ = _e530;
         } else {
-            phi_960_ = _e552;
+            phi_961_ = _e552;
         }
-        let _e556 = phi_960_;
+        let _e556 = phi_961_;
         let _e560 = ((_e528 - (_e556 * 0.69314575f)) - (_e556 * 0.0000014286068f));
-        phi_998_ = ((((((((((((((((1f / 5040f) * _e560) + (1f / 720f)) * _e560) + (1f / 120f)) * _e560) + (1f / 24f)) * _e560) + (1f / 6f)) * _e560) + 0.5f) * _e560) + 1f) * _e560) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e556), i32(-2147483648), (_e556 < bitcast<f32>(3472883712u))), 2147483647i, (_e556 > bitcast<f32>(1325400063u))), (_e556 == _e556)) + 127i)) << bitcast<u32>(23i))));
+        phi_999_ = ((((((((((((((((1f / 5040f) * _e560) + (1f / 720f)) * _e560) + (1f / 120f)) * _e560) + (1f / 24f)) * _e560) + (1f / 6f)) * _e560) + 0.5f) * _e560) + 1f) * _e560) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e556), i32(-2147483648), (_e556 < bitcast<f32>(3472883712u))), 2147483647i, (_e556 > bitcast<f32>(1325400063u))), (_e556 == _e556)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e596 = phi_998_;
+    let _e596 = phi_999_;
     if ((bitcast<u32>(_e440) & 2147483647u) > 2139095040u) {
-        phi_1086_ = _e440;
+        phi_1087_ = _e440;
     } else {
         if (_e440 < -87f) {
-            phi_1009_ = -87f;
+            phi_1010_ = -87f;
         } else {
-            phi_1009_ = _e440;
+            phi_1010_ = _e440;
         }
-        let _e602 = phi_1009_;
+        let _e602 = phi_1010_;
         if (_e602 > 88f) {
-            phi_1014_ = 88f;
+            phi_1015_ = 88f;
         } else {
-            phi_1014_ = _e602;
+            phi_1015_ = _e602;
         }
-        let _e605 = phi_1014_;
+        let _e605 = phi_1015_;
         let _e607 = ((_e605 * 1.442695f) + 0.5f);
         if (_e607 > -8388608f) {
             let _e619 = f32(select(0i, select(select(i32(_e607), i32(-2147483648), (_e607 < bitcast<f32>(3472883712u))), 2147483647i, (_e607 > bitcast<f32>(1325400063u))), (_e607 == _e607)));
             if (_e619 > _e607) {
-                phi_1036_ = 1f;
+                phi_1037_ = 1f;
             } else {
-                phi_1036_ = 0f;
+                phi_1037_ = 0f;
             }
-            let _e622 = phi_1036_;
+            let _e622 = phi_1037_;
             if (_e607 < 8388608f) {
-                phi_1041_ = (_e619 - _e622);
-                phi_1042_ = false;
+                phi_1042_ = (_e619 - _e622);
+                phi_1043_ = false;
             } else {
-                phi_1041_ = f32();
-                phi_1042_ = true;
+                phi_1042_ = f32();
+                phi_1043_ = true;
             }
-            let _e625 = phi_1041_;
-            let _e627 = phi_1042_;
-            phi_1043_ = _e625;
-            phi_1044_ = _e627;
+            let _e625 = phi_1042_;
+            let _e627 = phi_1043_;
+            phi_1044_ = _e625;
+            phi_1045_ = _e627;
         } else {
-            phi_1043_ = f32();
-            phi_1044_ = true;
+            phi_1044_ = f32();
+            phi_1045_ = true;
         }
-        let _e629 = phi_1043_;
-        let _e631 = phi_1044_;
+        let _e629 = phi_1044_;
+        let _e631 = phi_1045_;
         if _e631 {
-            phi_1048_ = _e607;
+            phi_1049_ = _e607;
         } else {
-            phi_1048_ = _e629;
+            phi_1049_ = _e629;
         }
-        let _e633 = phi_1048_;
+        let _e633 = phi_1049_;
         let _e637 = ((_e605 - (_e633 * 0.69314575f)) - (_e633 * 0.0000014286068f));
-        phi_1086_ = ((((((((((((((((1f / 5040f) * _e637) + (1f / 720f)) * _e637) + (1f / 120f)) * _e637) + (1f / 24f)) * _e637) + (1f / 6f)) * _e637) + 0.5f) * _e637) + 1f) * _e637) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e633), i32(-2147483648), (_e633 < bitcast<f32>(3472883712u))), 2147483647i, (_e633 > bitcast<f32>(1325400063u))), (_e633 == _e633)) + 127i)) << bitcast<u32>(23i))));
+        phi_1087_ = ((((((((((((((((1f / 5040f) * _e637) + (1f / 720f)) * _e637) + (1f / 120f)) * _e637) + (1f / 24f)) * _e637) + (1f / 6f)) * _e637) + 0.5f) * _e637) + 1f) * _e637) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e633), i32(-2147483648), (_e633 < bitcast<f32>(3472883712u))), 2147483647i, (_e633 > bitcast<f32>(1325400063u))), (_e633 == _e633)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e673 = phi_1086_;
+    let _e673 = phi_1087_;
     if ((bitcast<u32>(_e442) & 2147483647u) > 2139095040u) {
-        phi_1174_ = _e442;
+        phi_1175_ = _e442;
     } else {
         if (_e442 < -87f) {
-            phi_1097_ = -87f;
+            phi_1098_ = -87f;
         } else {
-            phi_1097_ = _e442;
+            phi_1098_ = _e442;
         }
-        let _e679 = phi_1097_;
+        let _e679 = phi_1098_;
         if (_e679 > 88f) {
-            phi_1102_ = 88f;
+            phi_1103_ = 88f;
         } else {
-            phi_1102_ = _e679;
+            phi_1103_ = _e679;
         }
-        let _e682 = phi_1102_;
+        let _e682 = phi_1103_;
         let _e684 = ((_e682 * 1.442695f) + 0.5f);
         if (_e684 > -8388608f) {
             let _e696 = f32(select(0i, select(select(i32(_e684), i32(-2147483648), (_e684 < bitcast<f32>(3472883712u))), 2147483647i, (_e684 > bitcast<f32>(1325400063u))), (_e684 == _e684)));
             if (_e696 > _e684) {
-                phi_1124_ = 1f;
+                phi_1125_ = 1f;
             } else {
-                phi_1124_ = 0f;
+                phi_1125_ = 0f;
             }
-            let _e699 = phi_1124_;
+            let _e699 = phi_1125_;
             if (_e684 < 8388608f) {
-                phi_1129_ = (_e696 - _e699);
-                phi_1130_ = false;
+                phi_1130_ = (_e696 - _e699);
+                phi_1131_ = false;
             } else {
-                phi_1129_ = f32();
-                phi_1130_ = true;
+                phi_1130_ = f32();
+                phi_1131_ = true;
             }
-            let _e702 = phi_1129_;
-            let _e704 = phi_1130_;
-            phi_1131_ = _e702;
-            phi_1132_ = _e704;
+            let _e702 = phi_1130_;
+            let _e704 = phi_1131_;
+            phi_1132_ = _e702;
+            phi_1133_ = _e704;
         } else {
-            phi_1131_ = f32();
-            phi_1132_ = true;
+            phi_1132_ = f32();
+            phi_1133_ = true;
         }
-        let _e706 = phi_1131_;
-        let _e708 = phi_1132_;
+        let _e706 = phi_1132_;
+        let _e708 = phi_1133_;
         if _e708 {
-            phi_1136_ = _e684;
+            phi_1137_ = _e684;
         } else {
-            phi_1136_ = _e706;
+            phi_1137_ = _e706;
         }
-        let _e710 = phi_1136_;
+        let _e710 = phi_1137_;
         let _e714 = ((_e682 - (_e710 * 0.69314575f)) - (_e710 * 0.0000014286068f));
-        phi_1174_ = ((((((((((((((((1f / 5040f) * _e714) + (1f / 720f)) * _e714) + (1f / 120f)) * _e714) + (1f / 24f)) * _e714) + (1f / 6f)) * _e714) + 0.5f) * _e714) + 1f) * _e714) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e710), i32(-2147483648), (_e710 < bitcast<f32>(3472883712u))), 2147483647i, (_e710 > bitcast<f32>(1325400063u))), (_e710 == _e710)) + 127i)) << bitcast<u32>(23i))));
+        phi_1175_ = ((((((((((((((((1f / 5040f) * _e714) + (1f / 720f)) * _e714) + (1f / 120f)) * _e714) + (1f / 24f)) * _e714) + (1f / 6f)) * _e714) + 0.5f) * _e714) + 1f) * _e714) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e710), i32(-2147483648), (_e710 < bitcast<f32>(3472883712u))), 2147483647i, (_e710 > bitcast<f32>(1325400063u))), (_e710 == _e710)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e750 = phi_1174_;
+    let _e750 = phi_1175_;
     let _e752 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e519);
     let _e754 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e596);
     let _e756 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e673);
@@ -729,89 +729,88 @@ fn _lt_math_evsm_Evsm_bound_of_offsets(param_6: ptr<function, lt_math_Evsm>, par
     let _e777 = (_e758 - _e773);
     let _e792 = (((((_e774 * _e774) * param_8.x) + ((_e775 * _e775) * param_8.y)) + ((_e776 * _e776) * param_8.z)) + ((_e777 * _e777) * param_8.w));
     if ((bitcast<u32>(_e762) & 2147483647u) > 2139095040u) {
-        phi_1227_ = true;
+        phi_1228_ = true;
     } else {
         let _e796 = (_e762 > _e792);
         if _e796 {
         }
-        phi_1227_ = _e796;
+        phi_1228_ = _e796;
     }
-    let _e798 = phi_1227_;
+    let _e798 = phi_1228_;
     if _e798 {
-        phi_1231_ = _e762;
+        phi_1232_ = _e762;
     } else {
-        phi_1231_ = _e792;
+        phi_1232_ = _e792;
     }
-    let _e800 = phi_1231_;
+    let _e800 = phi_1232_;
     let _e801 = -(_e773);
     if (_e801 <= 0f) {
         let _e805 = ((bitcast<u32>(_e800) & 2147483647u) > 2139095040u);
         if _e805 {
         }
-        phi_1243_ = _e805;
+        phi_1244_ = _e805;
     } else {
-        phi_1243_ = true;
+        phi_1244_ = true;
     }
-    let _e807 = phi_1243_;
+    let _e807 = phi_1244_;
     if _e807 {
-        phi_1250_ = (_e800 / (_e800 + (_e801 * _e801)));
+        phi_1251_ = (_e800 / (_e800 + (_e801 * _e801)));
     } else {
-        phi_1250_ = 1f;
+        phi_1251_ = 1f;
     }
-    let _e812 = phi_1250_;
+    let _e812 = phi_1251_;
     if ((bitcast<u32>(_e812) & 2147483647u) > 2139095040u) {
-        phi_1261_ = true;
+        phi_1262_ = true;
     } else {
         let _e816 = (_e812 < _e432);
         if _e816 {
         }
-        phi_1261_ = _e816;
+        phi_1262_ = _e816;
     }
-    let _e818 = phi_1261_;
+    let _e818 = phi_1262_;
     if _e818 {
-        phi_1265_ = _e812;
+        phi_1266_ = _e812;
     } else {
-        phi_1265_ = _e432;
+        phi_1266_ = _e432;
     }
-    let _e820 = phi_1265_;
+    let _e820 = phi_1266_;
     if ((bitcast<u32>(_e820) & 2147483647u) > 2139095040u) {
-        phi_1282_ = _e820;
+        phi_1283_ = _e820;
     } else {
         if (_e820 < 0f) {
-            phi_1281_ = 0f;
+            phi_1282_ = 0f;
         } else {
             if (_e820 > 1f) {
-                phi_1280_ = 1f;
+                phi_1281_ = 1f;
             } else {
-                phi_1280_ = _e820;
+                phi_1281_ = _e820;
             }
-            let _e827 = phi_1280_;
-            phi_1281_ = _e827;
+            let _e827 = phi_1281_;
+            phi_1282_ = _e827;
         }
-        let _e829 = phi_1281_;
-        phi_1282_ = _e829;
+        let _e829 = phi_1282_;
+        phi_1283_ = _e829;
     }
-    let _e831 = phi_1282_;
+    let _e831 = phi_1283_;
     return _e831;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_9: ptr<function, lt_math_Evsm>, param_10: vec4<f32>, param_11: vec4<f32>, param_12: f32) -> f32 {
-    var phi_237_: f32;
     var phi_238_: f32;
     var phi_239_: f32;
-    var phi_255_: f32;
+    var phi_240_: f32;
     var phi_256_: f32;
     var phi_257_: f32;
-    var phi_273_: f32;
+    var phi_258_: f32;
     var phi_274_: f32;
     var phi_275_: f32;
-    var phi_291_: f32;
+    var phi_276_: f32;
     var phi_292_: f32;
     var phi_293_: f32;
-    var phi_309_: f32;
+    var phi_294_: f32;
     var phi_310_: f32;
     var phi_311_: f32;
-    var phi_348_: bool;
+    var phi_312_: f32;
     var phi_349_: bool;
     var phi_350_: bool;
     var phi_351_: bool;
@@ -822,100 +821,101 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_o
     var phi_356_: bool;
     var phi_357_: bool;
     var phi_358_: bool;
-    var phi_362_: bool;
-    var phi_366_: bool;
-    var phi_371_: f32;
+    var phi_359_: bool;
+    var phi_363_: bool;
+    var phi_367_: bool;
+    var phi_372_: f32;
 
     if ((bitcast<u32>(param_12) & 2147483647u) > 2139095040u) {
-        phi_239_ = param_12;
+        phi_240_ = param_12;
     } else {
         if (param_12 < 0f) {
-            phi_238_ = 0f;
+            phi_239_ = 0f;
         } else {
             if (param_12 > 1f) {
-                phi_237_ = 1f;
+                phi_238_ = 1f;
             } else {
-                phi_237_ = param_12;
+                phi_238_ = param_12;
             }
-            let _e61 = phi_237_;
-            phi_238_ = _e61;
+            let _e61 = phi_238_;
+            phi_239_ = _e61;
         }
-        let _e63 = phi_238_;
-        phi_239_ = _e63;
+        let _e63 = phi_239_;
+        phi_240_ = _e63;
     }
-    let _e65 = phi_239_;
+    let _e65 = phi_240_;
     if ((bitcast<u32>(param_10.x) & 2147483647u) > 2139095040u) {
-        phi_257_ = param_10.x;
+        phi_258_ = param_10.x;
     } else {
         if (param_10.x < 0f) {
-            phi_256_ = 0f;
+            phi_257_ = 0f;
         } else {
             if (param_10.x > 1f) {
-                phi_255_ = 1f;
+                phi_256_ = 1f;
             } else {
-                phi_255_ = param_10.x;
+                phi_256_ = param_10.x;
             }
-            let _e73 = phi_255_;
-            phi_256_ = _e73;
+            let _e73 = phi_256_;
+            phi_257_ = _e73;
         }
-        let _e75 = phi_256_;
-        phi_257_ = _e75;
+        let _e75 = phi_257_;
+        phi_258_ = _e75;
     }
-    let _e77 = phi_257_;
+    let _e77 = phi_258_;
     if ((bitcast<u32>(param_10.y) & 2147483647u) > 2139095040u) {
-        phi_275_ = param_10.y;
+        phi_276_ = param_10.y;
     } else {
         if (param_10.y < 0f) {
-            phi_274_ = 0f;
+            phi_275_ = 0f;
         } else {
             if (param_10.y > 1f) {
-                phi_273_ = 1f;
+                phi_274_ = 1f;
             } else {
-                phi_273_ = param_10.y;
+                phi_274_ = param_10.y;
             }
-            let _e85 = phi_273_;
-            phi_274_ = _e85;
+            let _e85 = phi_274_;
+            phi_275_ = _e85;
         }
-        let _e87 = phi_274_;
-        phi_275_ = _e87;
+        let _e87 = phi_275_;
+        phi_276_ = _e87;
     }
-    let _e89 = phi_275_;
+    let _e89 = phi_276_;
     if ((bitcast<u32>(param_10.z) & 2147483647u) > 2139095040u) {
-        phi_293_ = param_10.z;
+        phi_294_ = param_10.z;
     } else {
         if (param_10.z < 0f) {
-            phi_292_ = 0f;
+            phi_293_ = 0f;
         } else {
             if (param_10.z > 1f) {
-                phi_291_ = 1f;
+                phi_292_ = 1f;
             } else {
-                phi_291_ = param_10.z;
+                phi_292_ = param_10.z;
             }
-            let _e97 = phi_291_;
-            phi_292_ = _e97;
+            let _e97 = phi_292_;
+            phi_293_ = _e97;
         }
-        let _e99 = phi_292_;
-        phi_293_ = _e99;
+        let _e99 = phi_293_;
+        phi_294_ = _e99;
     }
-    let _e101 = phi_293_;
+    let _e101 = phi_294_;
     if ((bitcast<u32>(param_10.w) & 2147483647u) > 2139095040u) {
-        phi_311_ = param_10.w;
+        phi_312_ = param_10.w;
     } else {
         if (param_10.w < 0f) {
-            phi_310_ = 0f;
+            phi_311_ = 0f;
         } else {
             if (param_10.w > 1f) {
-                phi_309_ = 1f;
+                phi_310_ = 1f;
             } else {
-                phi_309_ = param_10.w;
+                phi_310_ = param_10.w;
             }
-            let _e109 = phi_309_;
-            phi_310_ = _e109;
+            let _e109 = phi_310_;
+            phi_311_ = _e109;
         }
-        let _e111 = phi_310_;
-        phi_311_ = _e111;
+        let _e111 = phi_311_;
+        phi_312_ = _e111;
     }
-    let _e113 = phi_311_;
+    let _e113 = phi_312_;
     let _e114 = (_e77 - _e65);
     let _e115 = (_e89 - _e65);
     let _e116 = (_e101 - _e65);
@@ -924,471 +924,499 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_o
         if (_e115 >= 0f) {
             if (_e116 >= 0f) {
                 if (_e117 >= 0f) {
-                    phi_348_ = !(((bitcast<u32>(((((_e114 * param_11.x) + (_e115 * param_11.y)) + (_e116 * param_11.z)) + (_e117 * param_11.w))) & 2147483647u) > 2139095040u));
-                    phi_349_ = false;
+                    phi_349_ = !(((bitcast<u32>(((((_e114 * param_11.x) + (_e115 * param_11.y)) + (_e116 * param_11.z)) + (_e117 * param_11.w))) & 2147483647u) > 2139095040u));
+                    phi_350_ = false;
                 } else {
-                    phi_348_ = bool();
-                    phi_349_ = true;
+                    phi_349_ = bool();
+                    phi_350_ = true;
                 }
-                let _e139 = phi_348_;
-                let _e141 = phi_349_;
-                phi_350_ = _e139;
-                phi_351_ = false;
-                phi_352_ = _e141;
-            } else {
-                phi_350_ = bool();
-                phi_351_ = true;
+                let _e139 = phi_349_;
+                let _e141 = phi_350_;
+                phi_351_ = _e139;
                 phi_352_ = false;
+                phi_353_ = _e141;
+            } else {
+                phi_351_ = bool();
+                phi_352_ = true;
+                phi_353_ = false;
             }
-            let _e143 = phi_350_;
-            let _e145 = phi_351_;
-            let _e147 = phi_352_;
-            phi_353_ = _e143;
-            phi_354_ = _e145;
-            phi_355_ = _e147;
+            let _e143 = phi_351_;
+            let _e145 = phi_352_;
+            let _e147 = phi_353_;
+            phi_354_ = _e143;
+            phi_355_ = _e145;
+            phi_356_ = _e147;
         } else {
-            phi_353_ = bool();
-            phi_354_ = true;
-            phi_355_ = false;
+            phi_354_ = bool();
+            phi_355_ = true;
+            phi_356_ = false;
         }
-        let _e149 = phi_353_;
-        let _e151 = phi_354_;
-        let _e153 = phi_355_;
-        phi_356_ = _e149;
-        phi_357_ = _e151;
-        phi_358_ = _e153;
+        let _e149 = phi_354_;
+        let _e151 = phi_355_;
+        let _e153 = phi_356_;
+        phi_357_ = _e149;
+        phi_358_ = _e151;
+        phi_359_ = _e153;
     } else {
-        phi_356_ = bool();
-        phi_357_ = true;
-        phi_358_ = false;
+        phi_357_ = bool();
+        phi_358_ = true;
+        phi_359_ = false;
     }
-    let _e155 = phi_356_;
-    let _e157 = phi_357_;
-    let _e159 = phi_358_;
+    let _e155 = phi_357_;
+    let _e157 = phi_358_;
+    let _e159 = phi_359_;
     if _e157 {
-        phi_362_ = true;
+        phi_363_ = true;
     } else {
-        phi_362_ = _e159;
+        phi_363_ = _e159;
     }
-    let _e161 = phi_362_;
+    let _e161 = phi_363_;
     if _e161 {
-        phi_366_ = false;
+        phi_367_ = false;
     } else {
-        phi_366_ = _e155;
+        phi_367_ = _e155;
     }
-    let _e163 = phi_366_;
+    let _e163 = phi_367_;
     if _e163 {
-        phi_371_ = 1f;
+        phi_372_ = 1f;
     } else {
         let _e164 = _lt_math_evsm_Evsm_bound_of_offsets(param_9, vec4<f32>(_e114, _e115, _e116, _e117), param_11);
-        phi_371_ = _e164;
+        phi_372_ = _e164;
     }
-    let _e166 = phi_371_;
+    let _e166 = phi_372_;
     return _e166;
 }
 
 fn function_() {
     var local_1: lt_math_Evsm;
-    var phi_1336_: bool;
-    var phi_1337_: bool;
-    var phi_1338_: bool;
+    var phi_1332_: bool;
+    var phi_1333_: bool;
+    var phi_1334_: bool;
+    var phi_1335_: bool;
     var phi_1339_: bool;
-    var phi_1343_: bool;
+    var phi_1383_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_1387_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1391_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1468_: bool;
-    var phi_1477_: bool;
+    var phi_1464_: bool;
+    var phi_1473_: bool;
+    var phi_1482_: bool;
+    var phi_1483_: bool;
+    var phi_1484_: bool;
+    var phi_1485_: bool;
     var phi_1486_: bool;
     var phi_1487_: bool;
     var phi_1488_: bool;
-    var phi_1489_: bool;
-    var phi_1490_: bool;
-    var phi_1491_: bool;
     var phi_1492_: bool;
-    var phi_1496_: bool;
-    var phi_1590_: f32;
-    var phi_1593_: f32;
-    var phi_1622_: f32;
-    var phi_1627_: f32;
-    var phi_1628_: bool;
-    var phi_1629_: f32;
-    var phi_1630_: bool;
-    var phi_1634_: f32;
-    var phi_1654_: f32;
-    var phi_1659_: f32;
-    var phi_1660_: bool;
-    var phi_1661_: f32;
-    var phi_1662_: bool;
-    var phi_1666_: f32;
-    var phi_1716_: i32;
-    var phi_1721_: i32;
-    var phi_1726_: i32;
-    var phi_1731_: i32;
-    var phi_1740_: i32;
-    var phi_1745_: i32;
-    var phi_1750_: i32;
-    var phi_1755_: i32;
-    var phi_1802_: bool;
-    var phi_1810_: bool;
-    var phi_1815_: f32;
-    var phi_1818_: evaluate_Verdict;
-    var phi_1819_: evaluate_Verdict;
-    var phi_1823_: bool;
-    var phi_1824_: u32;
-    var phi_1830_: u32;
+    var phi_1586_: f32;
+    var phi_1589_: f32;
+    var phi_1618_: f32;
+    var phi_1623_: f32;
+    var phi_1624_: bool;
+    var phi_1625_: f32;
+    var phi_1626_: bool;
+    var phi_1630_: f32;
+    var phi_1650_: f32;
+    var phi_1655_: f32;
+    var phi_1656_: bool;
+    var phi_1657_: f32;
+    var phi_1658_: bool;
+    var phi_1662_: f32;
+    var phi_1712_: i32;
+    var phi_1717_: i32;
+    var phi_1722_: i32;
+    var phi_1727_: i32;
+    var phi_1736_: i32;
+    var phi_1741_: i32;
+    var phi_1746_: i32;
+    var phi_1751_: i32;
+    var phi_1798_: bool;
+    var phi_1806_: bool;
+    var phi_1818_: bool;
+    var phi_1819_: bool;
+    var phi_1823_: f32;
+    var phi_1829_: f32;
+    var phi_1831_: evaluate_Verdict;
+    var phi_1836_: evaluate_Verdict;
+    var phi_1837_: evaluate_Verdict;
+    var phi_1841_: bool;
+    var phi_1842_: u32;
+    var phi_1853_: u32;
 
     let _e52 = id_1;
     let _e53 = local_2;
     let _e58 = arrayLength((&map.member));
-    if (_e53 == 0u) {
-        atomicStore((&shared_[0u]), 0u);
-    }
-    workgroupBarrier();
-    let _e65 = p.member.size[0u];
-    let _e67 = p.member.size[1u];
-    let _e68 = lt_shaders_entry_pixel_index(_e52, _e65, _e67);
-    if (bitcast<i32>(_e68.root) != 0i) {
-        let _e75 = p.member.light;
-        let _e78 = samples.member[_e68.first_primitive].normal[0u];
-        let _e80 = global[0u];
-        if (_e78 == _e80) {
-            let _e83 = samples.member[_e68.first_primitive].normal[1u];
-            let _e85 = global[1u];
-            if (_e83 == _e85) {
-                let _e88 = samples.member[_e68.first_primitive].normal[2u];
-                let _e90 = global[2u];
-                phi_1336_ = (_e88 == _e90);
-                phi_1337_ = false;
+    let _e63 = p.member.size[0u];
+    let _e65 = p.member.size[1u];
+    let _e66 = lt_shaders_entry_pixel_index(_e52, _e63, _e65);
+    if (bitcast<i32>(_e66.root) != 0i) {
+        let _e73 = p.member.light;
+        let _e76 = samples.member[_e66.first_primitive].normal[0u];
+        let _e78 = global[0u];
+        if (_e76 == _e78) {
+            let _e81 = samples.member[_e66.first_primitive].normal[1u];
+            let _e83 = global[1u];
+            if (_e81 == _e83) {
+                let _e86 = samples.member[_e66.first_primitive].normal[2u];
+                let _e88 = global[2u];
+                phi_1332_ = (_e86 == _e88);
+                phi_1333_ = false;
             } else {
-                phi_1336_ = bool();
-                phi_1337_ = true;
+                phi_1332_ = bool();
+                phi_1333_ = true;
             }
-            let _e93 = phi_1336_;
-            let _e95 = phi_1337_;
-            phi_1338_ = _e93;
+            let _e91 = phi_1332_;
+            let _e93 = phi_1333_;
+            phi_1334_ = _e91;
+            phi_1335_ = _e93;
+        } else {
+            phi_1334_ = bool();
+            phi_1335_ = true;
+        }
+        let _e95 = phi_1334_;
+        let _e97 = phi_1335_;
+        if _e97 {
+            phi_1339_ = false;
+        } else {
             phi_1339_ = _e95;
-        } else {
-            phi_1338_ = bool();
-            phi_1339_ = true;
         }
-        let _e97 = phi_1338_;
         let _e99 = phi_1339_;
-        if _e99 {
-            phi_1343_ = false;
-        } else {
-            phi_1343_ = _e97;
-        }
-        let _e101 = phi_1343_;
-        if !(_e101) {
-            let _e104 = samples.member[_e68.first_primitive].normal;
-            let _e106 = samples.member[_e68.first_primitive].position;
-            if ((((_e104.x * (_e75.x - (_e106.x * _e75.w))) + (_e104.y * (_e75.y - (_e106.y * _e75.w)))) + (_e104.z * (_e75.z - (_e106.z * _e75.w)))) > 0f) {
-                let _e130 = samples.member[_e68.first_primitive].flags;
-                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
-                phi_1387_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, ((_e130 & 1u) == 0u));
+        if !(_e99) {
+            let _e102 = samples.member[_e66.first_primitive].normal;
+            let _e104 = samples.member[_e66.first_primitive].position;
+            if ((((_e102.x * (_e73.x - (_e104.x * _e73.w))) + (_e102.y * (_e73.y - (_e104.y * _e73.w)))) + (_e102.z * (_e73.z - (_e104.z * _e73.w)))) > 0f) {
+                let _e128 = samples.member[_e66.first_primitive].flags;
+                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
+                phi_1383_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
             } else {
-                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
-                phi_1387_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
+                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
+                phi_1383_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
             }
-            let _e164 = phi_1387_;
-            phi_1391_ = _e164;
+            let _e162 = phi_1383_;
+            phi_1387_ = _e162;
         } else {
-            let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
-            phi_1391_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
+            let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+            phi_1387_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
         }
-        let _e181 = phi_1391_;
-        if _e181.unnamed_1 {
-            phi_1819_ = evaluate_Verdict(_e181.unnamed.visibility, _e181.unnamed.is_doubted);
+        let _e179 = phi_1387_;
+        if _e179.unnamed_1 {
+            phi_1837_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
         } else {
-            let _e189 = samples.member[_e68.first_primitive].position;
-            let _e195 = p.member.projection.row_w;
-            let _e206 = ((((_e195.x * _e189.x) + (_e195.y * _e189.y)) + (_e195.z * _e189.z)) + (_e195.w * 1f));
-            let _e208 = p.member.projection.row_x;
-            let _e220 = (((((_e208.x * _e189.x) + (_e208.y * _e189.y)) + (_e208.z * _e189.z)) + (_e208.w * 1f)) / _e206);
-            let _e222 = p.member.projection.row_y;
-            let _e234 = (((((_e222.x * _e189.x) + (_e222.y * _e189.y)) + (_e222.z * _e189.z)) + (_e222.w * 1f)) / _e206);
-            let _e236 = p.member.projection.row_z;
-            let _e247 = ((((_e236.x * _e189.x) + (_e236.y * _e189.y)) + (_e236.z * _e189.z)) + (_e236.w * 1f));
-            if (_e206 > 0f) {
-                if (_e220 >= 0f) {
-                    phi_1468_ = (_e220 <= 1f);
+            let _e187 = samples.member[_e66.first_primitive].position;
+            let _e193 = p.member.projection.row_w;
+            let _e204 = ((((_e193.x * _e187.x) + (_e193.y * _e187.y)) + (_e193.z * _e187.z)) + (_e193.w * 1f));
+            let _e206 = p.member.projection.row_x;
+            let _e218 = (((((_e206.x * _e187.x) + (_e206.y * _e187.y)) + (_e206.z * _e187.z)) + (_e206.w * 1f)) / _e204);
+            let _e220 = p.member.projection.row_y;
+            let _e232 = (((((_e220.x * _e187.x) + (_e220.y * _e187.y)) + (_e220.z * _e187.z)) + (_e220.w * 1f)) / _e204);
+            let _e234 = p.member.projection.row_z;
+            let _e245 = ((((_e234.x * _e187.x) + (_e234.y * _e187.y)) + (_e234.z * _e187.z)) + (_e234.w * 1f));
+            if (_e204 > 0f) {
+                if (_e218 >= 0f) {
+                    phi_1464_ = (_e218 <= 1f);
                 } else {
-                    phi_1468_ = false;
+                    phi_1464_ = false;
                 }
-                let _e252 = phi_1468_;
-                if _e252 {
-                    if (_e234 >= 0f) {
-                        phi_1477_ = (_e234 <= 1f);
+                let _e250 = phi_1464_;
+                if _e250 {
+                    if (_e232 >= 0f) {
+                        phi_1473_ = (_e232 <= 1f);
                     } else {
-                        phi_1477_ = false;
+                        phi_1473_ = false;
                     }
-                    let _e256 = phi_1477_;
-                    if _e256 {
-                        if (_e247 >= 0f) {
-                            phi_1486_ = (_e247 <= 1f);
+                    let _e254 = phi_1473_;
+                    if _e254 {
+                        if (_e245 >= 0f) {
+                            phi_1482_ = (_e245 <= 1f);
                         } else {
-                            phi_1486_ = false;
+                            phi_1482_ = false;
                         }
-                        let _e260 = phi_1486_;
-                        phi_1487_ = _e260;
-                        phi_1488_ = false;
+                        let _e258 = phi_1482_;
+                        phi_1483_ = _e258;
+                        phi_1484_ = false;
                     } else {
-                        phi_1487_ = bool();
-                        phi_1488_ = true;
+                        phi_1483_ = bool();
+                        phi_1484_ = true;
                     }
-                    let _e262 = phi_1487_;
-                    let _e264 = phi_1488_;
-                    phi_1489_ = _e262;
-                    phi_1490_ = _e264;
+                    let _e260 = phi_1483_;
+                    let _e262 = phi_1484_;
+                    phi_1485_ = _e260;
+                    phi_1486_ = _e262;
                 } else {
-                    phi_1489_ = bool();
-                    phi_1490_ = true;
+                    phi_1485_ = bool();
+                    phi_1486_ = true;
                 }
-                let _e266 = phi_1489_;
-                let _e268 = phi_1490_;
-                phi_1491_ = _e266;
-                phi_1492_ = _e268;
+                let _e264 = phi_1485_;
+                let _e266 = phi_1486_;
+                phi_1487_ = _e264;
+                phi_1488_ = _e266;
             } else {
-                phi_1491_ = bool();
-                phi_1492_ = true;
+                phi_1487_ = bool();
+                phi_1488_ = true;
             }
-            let _e270 = phi_1491_;
+            let _e268 = phi_1487_;
+            let _e270 = phi_1488_;
+            if _e270 {
+                phi_1492_ = false;
+            } else {
+                phi_1492_ = _e268;
+            }
             let _e272 = phi_1492_;
             if _e272 {
-                phi_1496_ = false;
-            } else {
-                phi_1496_ = _e270;
-            }
-            let _e274 = phi_1496_;
-            if _e274 {
                 if (0f > 0f) {
-                    let _e277 = samples.member[_e68.first_primitive].normal;
-                    let _e279 = p.member.map_size;
-                    let _e282 = p.member.projection.row_x;
-                    let _e304 = p.member.projection.row_y;
-                    let _e326 = p.member.projection.row_z;
-                    let _e353 = ((abs(((((_e282.x * _e277.x) + (_e282.y * _e277.y)) + (_e282.z * _e277.z)) / (((_e282.x * _e282.x) + (_e282.y * _e282.y)) + (_e282.z * _e282.z)))) + abs(((((_e304.x * _e277.x) + (_e304.y * _e277.y)) + (_e304.z * _e277.z)) / (((_e304.x * _e304.x) + (_e304.y * _e304.y)) + (_e304.z * _e304.z))))) / (abs(((((_e326.x * _e277.x) + (_e326.y * _e277.y)) + (_e326.z * _e277.z)) / (((_e326.x * _e326.x) + (_e326.y * _e326.y)) + (_e326.z * _e326.z)))) * f32(_e279)));
-                    if (_e353 < 0.002f) {
-                        phi_1590_ = _e353;
+                    let _e275 = samples.member[_e66.first_primitive].normal;
+                    let _e277 = p.member.map_size;
+                    let _e280 = p.member.projection.row_x;
+                    let _e302 = p.member.projection.row_y;
+                    let _e324 = p.member.projection.row_z;
+                    let _e351 = ((abs(((((_e280.x * _e275.x) + (_e280.y * _e275.y)) + (_e280.z * _e275.z)) / (((_e280.x * _e280.x) + (_e280.y * _e280.y)) + (_e280.z * _e280.z)))) + abs(((((_e302.x * _e275.x) + (_e302.y * _e275.y)) + (_e302.z * _e275.z)) / (((_e302.x * _e302.x) + (_e302.y * _e302.y)) + (_e302.z * _e302.z))))) / (abs(((((_e324.x * _e275.x) + (_e324.y * _e275.y)) + (_e324.z * _e275.z)) / (((_e324.x * _e324.x) + (_e324.y * _e324.y)) + (_e324.z * _e324.z)))) * f32(_e277)));
+                    if (_e351 < 0.002f) {
+                        phi_1586_ = _e351;
                     } else {
-                        phi_1590_ = 0.002f;
+                        phi_1586_ = 0.002f;
                     }
-                    let _e356 = phi_1590_;
-                    phi_1593_ = (_e247 - (0f * _e356));
+                    let _e354 = phi_1586_;
+                    phi_1589_ = (_e245 - (0f * _e354));
                 } else {
-                    phi_1593_ = _e247;
+                    phi_1589_ = _e245;
                 }
-                let _e360 = phi_1593_;
-                let _e362 = p.member.map_size;
-                let _e363 = f32(_e362);
-                let _e366 = ((_e220 * _e363) - 0.5f);
-                let _e367 = ((_e234 * _e363) - 0.5f);
-                if (_e366 > -8388608f) {
-                    let _e379 = f32(select(0i, select(select(i32(_e366), i32(-2147483648), (_e366 < bitcast<f32>(3472883712u))), 2147483647i, (_e366 > bitcast<f32>(1325400063u))), (_e366 == _e366)));
-                    if (_e379 > _e366) {
-                        phi_1622_ = 1f;
+                let _e358 = phi_1589_;
+                let _e360 = p.member.map_size;
+                let _e361 = f32(_e360);
+                let _e364 = ((_e218 * _e361) - 0.5f);
+                let _e365 = ((_e232 * _e361) - 0.5f);
+                if (_e364 > -8388608f) {
+                    let _e377 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
+                    if (_e377 > _e364) {
+                        phi_1618_ = 1f;
                     } else {
-                        phi_1622_ = 0f;
+                        phi_1618_ = 0f;
                     }
-                    let _e382 = phi_1622_;
-                    if (_e366 < 8388608f) {
-                        phi_1627_ = (_e379 - _e382);
-                        phi_1628_ = false;
+                    let _e380 = phi_1618_;
+                    if (_e364 < 8388608f) {
+                        phi_1623_ = (_e377 - _e380);
+                        phi_1624_ = false;
                     } else {
-                        phi_1627_ = f32();
-                        phi_1628_ = true;
+                        phi_1623_ = f32();
+                        phi_1624_ = true;
                     }
-                    let _e385 = phi_1627_;
-                    let _e387 = phi_1628_;
-                    phi_1629_ = _e385;
+                    let _e383 = phi_1623_;
+                    let _e385 = phi_1624_;
+                    phi_1625_ = _e383;
+                    phi_1626_ = _e385;
+                } else {
+                    phi_1625_ = f32();
+                    phi_1626_ = true;
+                }
+                let _e387 = phi_1625_;
+                let _e389 = phi_1626_;
+                if _e389 {
+                    phi_1630_ = _e364;
+                } else {
                     phi_1630_ = _e387;
-                } else {
-                    phi_1629_ = f32();
-                    phi_1630_ = true;
                 }
-                let _e389 = phi_1629_;
                 let _e391 = phi_1630_;
-                if _e391 {
-                    phi_1634_ = _e366;
+                if (_e365 > -8388608f) {
+                    let _e403 = f32(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)));
+                    if (_e403 > _e365) {
+                        phi_1650_ = 1f;
+                    } else {
+                        phi_1650_ = 0f;
+                    }
+                    let _e406 = phi_1650_;
+                    if (_e365 < 8388608f) {
+                        phi_1655_ = (_e403 - _e406);
+                        phi_1656_ = false;
+                    } else {
+                        phi_1655_ = f32();
+                        phi_1656_ = true;
+                    }
+                    let _e409 = phi_1655_;
+                    let _e411 = phi_1656_;
+                    phi_1657_ = _e409;
+                    phi_1658_ = _e411;
                 } else {
-                    phi_1634_ = _e389;
+                    phi_1657_ = f32();
+                    phi_1658_ = true;
                 }
-                let _e393 = phi_1634_;
-                if (_e367 > -8388608f) {
-                    let _e405 = f32(select(0i, select(select(i32(_e367), i32(-2147483648), (_e367 < bitcast<f32>(3472883712u))), 2147483647i, (_e367 > bitcast<f32>(1325400063u))), (_e367 == _e367)));
-                    if (_e405 > _e367) {
-                        phi_1654_ = 1f;
-                    } else {
-                        phi_1654_ = 0f;
-                    }
-                    let _e408 = phi_1654_;
-                    if (_e367 < 8388608f) {
-                        phi_1659_ = (_e405 - _e408);
-                        phi_1660_ = false;
-                    } else {
-                        phi_1659_ = f32();
-                        phi_1660_ = true;
-                    }
-                    let _e411 = phi_1659_;
-                    let _e413 = phi_1660_;
-                    phi_1661_ = _e411;
+                let _e413 = phi_1657_;
+                let _e415 = phi_1658_;
+                if _e415 {
+                    phi_1662_ = _e365;
+                } else {
                     phi_1662_ = _e413;
-                } else {
-                    phi_1661_ = f32();
-                    phi_1662_ = true;
                 }
-                let _e415 = phi_1661_;
                 let _e417 = phi_1662_;
-                if _e417 {
-                    phi_1666_ = _e367;
+                let _e418 = (_e364 - _e391);
+                let _e419 = (_e365 - _e417);
+                let _e428 = select(0i, select(select(i32(_e391), i32(-2147483648), (_e391 < bitcast<f32>(3472883712u))), 2147483647i, (_e391 > bitcast<f32>(1325400063u))), (_e391 == _e391));
+                let _e437 = select(0i, select(select(i32(_e417), i32(-2147483648), (_e417 < bitcast<f32>(3472883712u))), 2147483647i, (_e417 > bitcast<f32>(1325400063u))), (_e417 == _e417));
+                let _e448 = p.member.test;
+                let _e449 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e448);
+                let _e451 = p.member.map_size;
+                local_1 = lt_math_Evsm(_e449.positive_exponent, _e449.negative_exponent, _e449.min_variance);
+                let _e457 = (bitcast<i32>(_e451) - 1i);
+                if (_e428 > 0i) {
+                    phi_1712_ = _e428;
                 } else {
-                    phi_1666_ = _e415;
+                    phi_1712_ = 0i;
                 }
-                let _e419 = phi_1666_;
-                let _e420 = (_e366 - _e393);
-                let _e421 = (_e367 - _e419);
-                let _e430 = select(0i, select(select(i32(_e393), i32(-2147483648), (_e393 < bitcast<f32>(3472883712u))), 2147483647i, (_e393 > bitcast<f32>(1325400063u))), (_e393 == _e393));
-                let _e439 = select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419));
-                let _e450 = p.member.test;
-                let _e451 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e450);
-                let _e453 = p.member.map_size;
-                local_1 = lt_math_Evsm(_e451.positive_exponent, _e451.negative_exponent, _e451.min_variance);
-                let _e459 = (bitcast<i32>(_e453) - 1i);
-                if (_e430 > 0i) {
-                    phi_1716_ = _e430;
+                let _e460 = phi_1712_;
+                if (_e437 > 0i) {
+                    phi_1717_ = _e437;
                 } else {
-                    phi_1716_ = 0i;
+                    phi_1717_ = 0i;
                 }
-                let _e462 = phi_1716_;
-                if (_e439 > 0i) {
-                    phi_1721_ = _e439;
+                let _e463 = phi_1717_;
+                if (_e460 < _e457) {
+                    phi_1722_ = _e460;
                 } else {
-                    phi_1721_ = 0i;
+                    phi_1722_ = _e457;
                 }
-                let _e465 = phi_1721_;
-                if (_e462 < _e459) {
-                    phi_1726_ = _e462;
+                let _e466 = phi_1722_;
+                if (_e463 < _e457) {
+                    phi_1727_ = _e463;
                 } else {
-                    phi_1726_ = _e459;
+                    phi_1727_ = _e457;
                 }
-                let _e468 = phi_1726_;
-                if (_e465 < _e459) {
-                    phi_1731_ = _e465;
+                let _e469 = phi_1727_;
+                let _e470 = bitcast<u32>(_e466);
+                let _e472 = (_e428 + 1i);
+                let _e473 = (_e437 + 1i);
+                if (_e472 > 0i) {
+                    phi_1736_ = _e472;
                 } else {
-                    phi_1731_ = _e459;
+                    phi_1736_ = 0i;
                 }
-                let _e471 = phi_1731_;
-                let _e472 = bitcast<u32>(_e468);
-                let _e474 = (_e430 + 1i);
-                let _e475 = (_e439 + 1i);
-                if (_e474 > 0i) {
-                    phi_1740_ = _e474;
+                let _e476 = phi_1736_;
+                if (_e473 > 0i) {
+                    phi_1741_ = _e473;
                 } else {
-                    phi_1740_ = 0i;
+                    phi_1741_ = 0i;
                 }
-                let _e478 = phi_1740_;
-                if (_e475 > 0i) {
-                    phi_1745_ = _e475;
+                let _e479 = phi_1741_;
+                if (_e476 < _e457) {
+                    phi_1746_ = _e476;
                 } else {
-                    phi_1745_ = 0i;
+                    phi_1746_ = _e457;
                 }
-                let _e481 = phi_1745_;
-                if (_e478 < _e459) {
-                    phi_1750_ = _e478;
+                let _e482 = phi_1746_;
+                if (_e479 < _e457) {
+                    phi_1751_ = _e479;
                 } else {
-                    phi_1750_ = _e459;
+                    phi_1751_ = _e457;
                 }
-                let _e484 = phi_1750_;
-                if (_e481 < _e459) {
-                    phi_1755_ = _e481;
+                let _e485 = phi_1751_;
+                let _e486 = bitcast<u32>(_e482);
+                let _e488 = (bitcast<u32>(_e469) * _e451);
+                let _e489 = (bitcast<u32>(_e485) * _e451);
+                let _e490 = (_e488 + _e470);
+                let _e491 = (_e488 + _e486);
+                let _e492 = (_e489 + _e470);
+                let _e493 = (_e489 + _e486);
+                if (_e490 < _e58) {
                 } else {
-                    phi_1755_ = _e459;
+                    return;
                 }
-                let _e487 = phi_1755_;
-                let _e488 = bitcast<u32>(_e484);
-                let _e490 = (bitcast<u32>(_e471) * _e453);
-                let _e491 = (bitcast<u32>(_e487) * _e453);
-                let _e492 = (_e490 + _e472);
-                let _e493 = (_e490 + _e488);
-                let _e494 = (_e491 + _e472);
-                let _e495 = (_e491 + _e488);
+                let _e497 = map.member[(0u + _e490)];
+                if (_e491 < _e58) {
+                } else {
+                    return;
+                }
+                let _e501 = map.member[(0u + _e491)];
                 if (_e492 < _e58) {
                 } else {
                     return;
                 }
-                let _e499 = map.member[(0u + _e492)];
+                let _e505 = map.member[(0u + _e492)];
                 if (_e493 < _e58) {
                 } else {
                     return;
                 }
-                let _e503 = map.member[(0u + _e493)];
-                if (_e494 < _e58) {
+                let _e509 = map.member[(0u + _e493)];
+                let _e511 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e497, _e501, _e505, _e509), vec4<f32>(((1f - _e418) * (1f - _e419)), (_e418 * (1f - _e419)), ((1f - _e418) * _e419), (_e418 * _e419)), _e358);
+                let _e513 = p.member.epsilon;
+                if (_e511 <= _e513) {
+                    phi_1798_ = true;
                 } else {
-                    return;
+                    phi_1798_ = (_e511 >= (1f - _e513));
                 }
-                let _e507 = map.member[(0u + _e494)];
-                if (_e495 < _e58) {
+                let _e518 = phi_1798_;
+                if ((bitcast<u32>(_e511) & 2147483647u) > 2139095040u) {
+                    phi_1806_ = true;
                 } else {
-                    return;
+                    phi_1806_ = !(_e518);
                 }
-                let _e511 = map.member[(0u + _e495)];
-                let _e513 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e499, _e503, _e507, _e511), vec4<f32>(((1f - _e420) * (1f - _e421)), (_e420 * (1f - _e421)), ((1f - _e420) * _e421), (_e420 * _e421)), _e360);
-                let _e515 = p.member.epsilon;
-                if (_e513 <= _e515) {
-                    phi_1802_ = true;
+                let _e524 = phi_1806_;
+                if _e524 {
+                    if (_e511 > 0f) {
+                        if (_e511 < 1f) {
+                            phi_1818_ = false;
+                        } else {
+                            phi_1818_ = true;
+                        }
+                        let _e528 = phi_1818_;
+                        phi_1819_ = _e528;
+                    } else {
+                        phi_1819_ = true;
+                    }
+                    let _e530 = phi_1819_;
+                    if _e530 {
+                        phi_1823_ = 0.5f;
+                    } else {
+                        phi_1823_ = _e511;
+                    }
+                    let _e532 = phi_1823_;
+                    phi_1831_ = evaluate_Verdict(_e532, true);
                 } else {
-                    phi_1802_ = (_e513 >= (1f - _e515));
+                    if (_e511 > 0.5f) {
+                        phi_1829_ = 1f;
+                    } else {
+                        phi_1829_ = 0f;
+                    }
+                    let _e536 = phi_1829_;
+                    phi_1831_ = evaluate_Verdict(_e536, false);
                 }
-                let _e520 = phi_1802_;
-                if ((bitcast<u32>(_e513) & 2147483647u) > 2139095040u) {
-                    phi_1810_ = true;
-                } else {
-                    phi_1810_ = !(_e520);
-                }
-                let _e526 = phi_1810_;
-                if (_e513 > 0.5f) {
-                    phi_1815_ = 1f;
-                } else {
-                    phi_1815_ = 0f;
-                }
-                let _e529 = phi_1815_;
-                phi_1818_ = evaluate_Verdict(_e529, _e526);
+                let _e539 = phi_1831_;
+                phi_1836_ = evaluate_Verdict(_e539.visibility, _e539.is_doubted);
             } else {
-                phi_1818_ = evaluate_Verdict(1f, true);
+                phi_1836_ = evaluate_Verdict(0.5f, true);
             }
-            let _e533 = phi_1818_;
-            phi_1819_ = _e533;
+            let _e545 = phi_1836_;
+            phi_1837_ = _e545;
         }
-        let _e535 = phi_1819_;
-        visibility.member[_e68.first_primitive] = _e535.visibility;
-        phi_1823_ = _e535.is_doubted;
-        phi_1824_ = _e68.first_primitive;
+        let _e547 = phi_1837_;
+        visibility.member[_e66.first_primitive] = _e547.visibility;
+        phi_1841_ = _e547.is_doubted;
+        phi_1842_ = _e66.first_primitive;
     } else {
-        phi_1823_ = false;
-        phi_1824_ = 0u;
+        phi_1841_ = false;
+        phi_1842_ = 0u;
     }
-    let _e540 = phi_1823_;
-    let _e542 = phi_1824_;
-    if _e540 {
-        let _e544 = atomicAdd((&shared_[0u]), 1u);
-        phi_1830_ = _e544;
+    let _e552 = phi_1841_;
+    let _e554 = phi_1842_;
+    if (_e53 == 0u) {
+        atomicStore((&shared_[0u]), 0u);
+    }
+    workgroupBarrier();
+    if _e552 {
+        let _e558 = atomicAdd((&shared_[0u]), 1u);
+        phi_1853_ = _e558;
     } else {
-        phi_1830_ = 0u;
+        phi_1853_ = 0u;
     }
-    let _e546 = phi_1830_;
+    let _e560 = phi_1853_;
     workgroupBarrier();
     if (_e53 == 0u) {
-        let _e550 = atomicLoad((&shared_[0u]));
-        let _e551 = atomicAdd((&list.member[3u]), _e550);
-        atomicStore((&shared_[1u]), _e551);
+        let _e564 = atomicLoad((&shared_[0u]));
+        let _e565 = atomicAdd((&list.member[3u]), _e564);
+        atomicStore((&shared_[1u]), _e565);
     }
     workgroupBarrier();
-    if _e540 {
-        let _e554 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e554) + _e546)]), _e542);
+    if _e552 {
+        let _e568 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e568) + _e560)]), _e554);
     }
     return;
 }

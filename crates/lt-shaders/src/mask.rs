@@ -46,20 +46,22 @@ impl HistorySource for BitsHistory<'_> {
 /// Bits and depths, row by row.
 #[derive(Clone, Copy)]
 pub struct DepthHistory<'a> {
-    /// The bits.
-    pub bits: BitsHistory<'a>,
+    /// `width · height` words.
+    pub bits: &'a [u32],
     /// `width · height` depths.
     pub depths: &'a [f32],
+    /// Pixels in a row.
+    pub width: u32,
 }
 
 impl HistorySource for DepthHistory<'_> {
     #[inline]
     fn bits(&self, pixel: UVec2) -> MaskBits {
-        self.bits.bits(pixel)
+        MaskBits::from_bits(self.bits[(pixel.y * self.width + pixel.x) as usize])
     }
     #[inline]
     fn depth(&self, pixel: UVec2) -> f32 {
-        self.depths[(pixel.y * self.bits.width + pixel.x) as usize]
+        self.depths[(pixel.y * self.width + pixel.x) as usize]
     }
 }
 
@@ -84,6 +86,12 @@ pub fn bits_after_ray(before: MaskBits, visibility: f32) -> MaskBits {
 #[inline]
 pub fn view_depth(position: Vec3, camera: &CameraParams) -> f32 {
     (position - camera.eye).dot(camera.forward)
+}
+
+/// What the next frame's depth test compares with: the depth of what is seen, 0 where nothing is.
+#[inline]
+pub fn seen_depth(sample: &Sample, camera: &CameraParams) -> f32 {
+    if sample.is_valid() { view_depth(sample.position, camera) } else { 0.0 }
 }
 
 /// Where a world point in front of a camera appears, in pixels from the top left corner of the picture.
@@ -246,7 +254,7 @@ mod tests {
         bits: &[u32],
         depths: &[f32],
     ) -> Masked {
-        let history = DepthHistory { bits: BitsHistory { bits, width: SIZE.x }, depths };
+        let history = DepthHistory { bits, depths, width: SIZE.x };
         let sample = wall(px);
         mask::<_, M, D, true, true>(px, &sample, sample.position, estimate, p, history)
     }
