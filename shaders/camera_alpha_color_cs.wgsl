@@ -1,64 +1,3 @@
-struct texture_TextureView {
-    offset: u32,
-    size: u32,
-    flags: u32,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_7 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
-struct type_11 {
-    member: array<abi_Vertex>,
-}
-
-struct abi_Material {
-    base_color: vec4<f32>,
-    cutoff: f32,
-    flags: u32,
-    alpha_offset: u32,
-    alpha_size: u32,
-    color_offset: u32,
-    color_size: u32,
-    pad: vec2<u32>,
-}
-
-struct type_16 {
-    member: array<abi_Material>,
-}
-
-struct type_20 {
-    member: array<u32>,
-}
-
-struct texture_TexelQuad {
-    indices: array<u32, 4>,
-    weights: vec4<f32>,
-}
-
-struct texture_Axis {
-    low: u32,
-    high: u32,
-    fraction: f32,
-}
-
 struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
@@ -81,13 +20,74 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_37 {
+struct type_9 {
     member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
 }
 
 struct lt_bvh_traverse_Tree {
     root: u32,
     first_primitive: u32,
+}
+
+struct texture_TextureView {
+    offset: u32,
+    size: u32,
+    flags: u32,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_27 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_31 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    pad: vec2<u32>,
+}
+
+struct type_35 {
+    member: array<abi_Material>,
+}
+
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
+}
+
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -141,405 +141,405 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-@group(0) @binding(3) 
-var<storage> vertices: type_11;
-@group(0) @binding(4) 
-var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_31;
+@group(0) @binding(4) 
+var<storage> materials: type_35;
 @group(0) @binding(0) 
 var<uniform> p: type_45;
 @group(0) @binding(1) 
 var<storage> nodes: type_50;
 @group(0) @binding(2) 
-var<storage> triangles: type_7;
+var<storage> triangles: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_37;
+var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_20;
+var<storage> alpha_texels: type_13;
 @group(0) @binding(7) 
-var<storage> color_texels: type_20;
+var<storage> color_texels: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_234_: f32;
-    var phi_239_: f32;
-    var phi_240_: bool;
-    var phi_241_: f32;
-    var phi_242_: bool;
-    var phi_246_: f32;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_212_: lt_bvh_traverse_Tree;
+    var phi_213_: bool;
+    var phi_214_: lt_bvh_traverse_Tree;
+    var phi_215_: bool;
+    var phi_220_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_212_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_213_ = false;
+        } else {
+            phi_212_ = lt_bvh_traverse_Tree();
+            phi_213_ = true;
+        }
+        let _e83 = phi_212_;
+        let _e85 = phi_213_;
+        phi_214_ = _e83;
+        phi_215_ = _e85;
+    } else {
+        phi_214_ = lt_bvh_traverse_Tree();
+        phi_215_ = true;
+    }
+    let _e87 = phi_214_;
+    let _e89 = phi_215_;
+    if _e89 {
+        phi_220_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_220_ = _e87;
+    }
+    let _e94 = phi_220_;
+    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_265_: f32;
+    var phi_270_: f32;
+    var phi_271_: bool;
     var phi_272_: f32;
+    var phi_273_: bool;
     var phi_277_: f32;
-    var phi_278_: bool;
-    var phi_279_: f32;
-    var phi_280_: bool;
-    var phi_284_: f32;
-    var phi_292_: f32;
-    var phi_293_: f32;
-    var phi_294_: f32;
     var phi_303_: f32;
-    var phi_304_: f32;
-    var phi_322_: u32;
-    var phi_336_: u32;
-    var phi_343_: u32;
-    var phi_348_: u32;
-    var phi_354_: u32;
-    var phi_359_: u32;
-    var phi_361_: texture_Axis;
-    var phi_389_: f32;
-    var phi_394_: f32;
-    var phi_395_: bool;
-    var phi_396_: f32;
-    var phi_397_: bool;
-    var phi_401_: f32;
+    var phi_308_: f32;
+    var phi_309_: bool;
+    var phi_310_: f32;
+    var phi_311_: bool;
+    var phi_315_: f32;
+    var phi_323_: f32;
+    var phi_324_: f32;
+    var phi_325_: f32;
+    var phi_334_: f32;
+    var phi_335_: f32;
+    var phi_353_: u32;
+    var phi_367_: u32;
+    var phi_374_: u32;
+    var phi_379_: u32;
+    var phi_385_: u32;
+    var phi_390_: u32;
+    var phi_392_: texture_Axis;
+    var phi_420_: f32;
+    var phi_425_: f32;
+    var phi_426_: bool;
     var phi_427_: f32;
+    var phi_428_: bool;
     var phi_432_: f32;
-    var phi_433_: bool;
-    var phi_434_: f32;
-    var phi_435_: bool;
-    var phi_439_: f32;
-    var phi_447_: f32;
-    var phi_448_: f32;
-    var phi_449_: f32;
     var phi_458_: f32;
-    var phi_459_: f32;
-    var phi_477_: u32;
-    var phi_491_: u32;
-    var phi_498_: u32;
-    var phi_503_: u32;
-    var phi_509_: u32;
-    var phi_514_: u32;
-    var phi_516_: texture_Axis;
+    var phi_463_: f32;
+    var phi_464_: bool;
+    var phi_465_: f32;
+    var phi_466_: bool;
+    var phi_470_: f32;
+    var phi_478_: f32;
+    var phi_479_: f32;
+    var phi_480_: f32;
+    var phi_489_: f32;
+    var phi_490_: f32;
+    var phi_508_: u32;
+    var phi_522_: u32;
+    var phi_529_: u32;
+    var phi_534_: u32;
+    var phi_540_: u32;
+    var phi_545_: u32;
+    var phi_547_: texture_Axis;
 
-    let _e74 = (*param).size;
+    let _e74 = (*param_3).size;
     let _e75 = (_e74 & 65535u);
-    let _e77 = (*param).size;
+    let _e77 = (*param_3).size;
     let _e79 = (_e77 >> bitcast<u32>(16i));
-    let _e81 = (*param).flags;
+    let _e81 = (*param_3).flags;
     let _e83 = ((_e81 & 4u) != 0u);
-    let _e85 = (*param).flags;
+    let _e85 = (*param_3).flags;
     let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
     if (_e88 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e101 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e101 > param_1) {
-                phi_234_ = 1f;
+        if (param_4 > -8388608f) {
+            let _e101 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e101 > param_4) {
+                phi_265_ = 1f;
             } else {
-                phi_234_ = 0f;
+                phi_265_ = 0f;
             }
-            let _e104 = phi_234_;
-            if (param_1 < 8388608f) {
-                phi_239_ = (_e101 - _e104);
-                phi_240_ = false;
+            let _e104 = phi_265_;
+            if (param_4 < 8388608f) {
+                phi_270_ = (_e101 - _e104);
+                phi_271_ = false;
             } else {
-                phi_239_ = f32();
-                phi_240_ = true;
+                phi_270_ = f32();
+                phi_271_ = true;
             }
-            let _e107 = phi_239_;
-            let _e109 = phi_240_;
-            phi_241_ = _e107;
-            phi_242_ = _e109;
+            let _e107 = phi_270_;
+            let _e109 = phi_271_;
+            phi_272_ = _e107;
+            phi_273_ = _e109;
         } else {
-            phi_241_ = f32();
-            phi_242_ = true;
+            phi_272_ = f32();
+            phi_273_ = true;
         }
-        let _e111 = phi_241_;
-        let _e113 = phi_242_;
+        let _e111 = phi_272_;
+        let _e113 = phi_273_;
         if _e113 {
-            phi_246_ = param_1;
+            phi_277_ = param_4;
         } else {
-            phi_246_ = _e111;
+            phi_277_ = _e111;
         }
-        let _e115 = phi_246_;
-        phi_294_ = (param_1 - _e115);
+        let _e115 = phi_277_;
+        phi_325_ = (param_4 - _e115);
     } else {
         if (_e88 == 1u) {
-            let _e118 = (param_1 * 0.5f);
+            let _e118 = (param_4 * 0.5f);
             if (_e118 > -8388608f) {
                 let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
                 if (_e130 > _e118) {
-                    phi_272_ = 1f;
+                    phi_303_ = 1f;
                 } else {
-                    phi_272_ = 0f;
+                    phi_303_ = 0f;
                 }
-                let _e133 = phi_272_;
+                let _e133 = phi_303_;
                 if (_e118 < 8388608f) {
-                    phi_277_ = (_e130 - _e133);
-                    phi_278_ = false;
+                    phi_308_ = (_e130 - _e133);
+                    phi_309_ = false;
                 } else {
-                    phi_277_ = f32();
-                    phi_278_ = true;
+                    phi_308_ = f32();
+                    phi_309_ = true;
                 }
-                let _e136 = phi_277_;
-                let _e138 = phi_278_;
-                phi_279_ = _e136;
-                phi_280_ = _e138;
+                let _e136 = phi_308_;
+                let _e138 = phi_309_;
+                phi_310_ = _e136;
+                phi_311_ = _e138;
             } else {
-                phi_279_ = f32();
-                phi_280_ = true;
+                phi_310_ = f32();
+                phi_311_ = true;
             }
-            let _e140 = phi_279_;
-            let _e142 = phi_280_;
+            let _e140 = phi_310_;
+            let _e142 = phi_311_;
             if _e142 {
-                phi_284_ = _e118;
+                phi_315_ = _e118;
             } else {
-                phi_284_ = _e140;
+                phi_315_ = _e140;
             }
-            let _e144 = phi_284_;
-            let _e146 = (param_1 - (2f * _e144));
+            let _e144 = phi_315_;
+            let _e146 = (param_4 - (2f * _e144));
             if (_e146 > 1f) {
-                phi_292_ = (2f - _e146);
+                phi_323_ = (2f - _e146);
             } else {
-                phi_292_ = _e146;
+                phi_323_ = _e146;
             }
-            let _e150 = phi_292_;
-            phi_293_ = _e150;
+            let _e150 = phi_323_;
+            phi_324_ = _e150;
         } else {
-            phi_293_ = param_1;
+            phi_324_ = param_4;
         }
-        let _e152 = phi_293_;
-        phi_294_ = _e152;
+        let _e152 = phi_324_;
+        phi_325_ = _e152;
     }
-    let _e154 = phi_294_;
+    let _e154 = phi_325_;
     if (_e154 > 0f) {
         if (_e154 < 1f) {
-            phi_303_ = _e154;
+            phi_334_ = _e154;
         } else {
-            phi_303_ = 1f;
+            phi_334_ = 1f;
         }
-        let _e158 = phi_303_;
-        phi_304_ = _e158;
+        let _e158 = phi_334_;
+        phi_335_ = _e158;
     } else {
-        phi_304_ = 0f;
+        phi_335_ = 0f;
     }
-    let _e160 = phi_304_;
+    let _e160 = phi_335_;
     let _e161 = (_e75 - 1u);
     let _e163 = (_e160 * f32(_e75));
     if _e83 {
         let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
         if (_e161 < _e170) {
-            phi_322_ = _e161;
+            phi_353_ = _e161;
         } else {
-            phi_322_ = _e170;
+            phi_353_ = _e170;
         }
-        let _e173 = phi_322_;
-        phi_361_ = texture_Axis(_e173, _e173, 0f);
+        let _e173 = phi_353_;
+        phi_392_ = texture_Axis(_e173, _e173, 0f);
     } else {
         let _e175 = (_e163 + 0.5f);
         let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
         if (_e75 < _e182) {
-            phi_336_ = _e75;
+            phi_367_ = _e75;
         } else {
-            phi_336_ = _e182;
+            phi_367_ = _e182;
         }
-        let _e185 = phi_336_;
+        let _e185 = phi_367_;
         if (_e88 == 0u) {
-            phi_343_ = _e161;
+            phi_374_ = _e161;
         } else {
-            phi_343_ = 0u;
+            phi_374_ = 0u;
         }
-        let _e190 = phi_343_;
+        let _e190 = phi_374_;
         if (_e88 == 0u) {
-            phi_348_ = 0u;
+            phi_379_ = 0u;
         } else {
-            phi_348_ = _e161;
+            phi_379_ = _e161;
         }
-        let _e193 = phi_348_;
+        let _e193 = phi_379_;
         if (_e185 == 0u) {
-            phi_354_ = _e190;
+            phi_385_ = _e190;
         } else {
-            phi_354_ = (_e185 - 1u);
+            phi_385_ = (_e185 - 1u);
         }
-        let _e197 = phi_354_;
+        let _e197 = phi_385_;
         if (_e185 > _e161) {
-            phi_359_ = _e193;
+            phi_390_ = _e193;
         } else {
-            phi_359_ = _e185;
+            phi_390_ = _e185;
         }
-        let _e200 = phi_359_;
-        phi_361_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
+        let _e200 = phi_390_;
+        phi_392_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
     }
-    let _e203 = phi_361_;
-    let _e205 = (*param).flags;
+    let _e203 = phi_392_;
+    let _e205 = (*param_3).flags;
     let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
     if (_e208 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e221 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e221 > param_2) {
-                phi_389_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e221 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e221 > param_5) {
+                phi_420_ = 1f;
             } else {
-                phi_389_ = 0f;
+                phi_420_ = 0f;
             }
-            let _e224 = phi_389_;
-            if (param_2 < 8388608f) {
-                phi_394_ = (_e221 - _e224);
-                phi_395_ = false;
+            let _e224 = phi_420_;
+            if (param_5 < 8388608f) {
+                phi_425_ = (_e221 - _e224);
+                phi_426_ = false;
             } else {
-                phi_394_ = f32();
-                phi_395_ = true;
+                phi_425_ = f32();
+                phi_426_ = true;
             }
-            let _e227 = phi_394_;
-            let _e229 = phi_395_;
-            phi_396_ = _e227;
-            phi_397_ = _e229;
+            let _e227 = phi_425_;
+            let _e229 = phi_426_;
+            phi_427_ = _e227;
+            phi_428_ = _e229;
         } else {
-            phi_396_ = f32();
-            phi_397_ = true;
+            phi_427_ = f32();
+            phi_428_ = true;
         }
-        let _e231 = phi_396_;
-        let _e233 = phi_397_;
+        let _e231 = phi_427_;
+        let _e233 = phi_428_;
         if _e233 {
-            phi_401_ = param_2;
+            phi_432_ = param_5;
         } else {
-            phi_401_ = _e231;
+            phi_432_ = _e231;
         }
-        let _e235 = phi_401_;
-        phi_449_ = (param_2 - _e235);
+        let _e235 = phi_432_;
+        phi_480_ = (param_5 - _e235);
     } else {
         if (_e208 == 1u) {
-            let _e238 = (param_2 * 0.5f);
+            let _e238 = (param_5 * 0.5f);
             if (_e238 > -8388608f) {
                 let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
                 if (_e250 > _e238) {
-                    phi_427_ = 1f;
+                    phi_458_ = 1f;
                 } else {
-                    phi_427_ = 0f;
+                    phi_458_ = 0f;
                 }
-                let _e253 = phi_427_;
+                let _e253 = phi_458_;
                 if (_e238 < 8388608f) {
-                    phi_432_ = (_e250 - _e253);
-                    phi_433_ = false;
+                    phi_463_ = (_e250 - _e253);
+                    phi_464_ = false;
                 } else {
-                    phi_432_ = f32();
-                    phi_433_ = true;
+                    phi_463_ = f32();
+                    phi_464_ = true;
                 }
-                let _e256 = phi_432_;
-                let _e258 = phi_433_;
-                phi_434_ = _e256;
-                phi_435_ = _e258;
+                let _e256 = phi_463_;
+                let _e258 = phi_464_;
+                phi_465_ = _e256;
+                phi_466_ = _e258;
             } else {
-                phi_434_ = f32();
-                phi_435_ = true;
+                phi_465_ = f32();
+                phi_466_ = true;
             }
-            let _e260 = phi_434_;
-            let _e262 = phi_435_;
+            let _e260 = phi_465_;
+            let _e262 = phi_466_;
             if _e262 {
-                phi_439_ = _e238;
+                phi_470_ = _e238;
             } else {
-                phi_439_ = _e260;
+                phi_470_ = _e260;
             }
-            let _e264 = phi_439_;
-            let _e266 = (param_2 - (2f * _e264));
+            let _e264 = phi_470_;
+            let _e266 = (param_5 - (2f * _e264));
             if (_e266 > 1f) {
-                phi_447_ = (2f - _e266);
+                phi_478_ = (2f - _e266);
             } else {
-                phi_447_ = _e266;
+                phi_478_ = _e266;
             }
-            let _e270 = phi_447_;
-            phi_448_ = _e270;
+            let _e270 = phi_478_;
+            phi_479_ = _e270;
         } else {
-            phi_448_ = param_2;
+            phi_479_ = param_5;
         }
-        let _e272 = phi_448_;
-        phi_449_ = _e272;
+        let _e272 = phi_479_;
+        phi_480_ = _e272;
     }
-    let _e274 = phi_449_;
+    let _e274 = phi_480_;
     if (_e274 > 0f) {
         if (_e274 < 1f) {
-            phi_458_ = _e274;
+            phi_489_ = _e274;
         } else {
-            phi_458_ = 1f;
+            phi_489_ = 1f;
         }
-        let _e278 = phi_458_;
-        phi_459_ = _e278;
+        let _e278 = phi_489_;
+        phi_490_ = _e278;
     } else {
-        phi_459_ = 0f;
+        phi_490_ = 0f;
     }
-    let _e280 = phi_459_;
+    let _e280 = phi_490_;
     let _e281 = (_e79 - 1u);
     let _e283 = (_e280 * f32(_e79));
     if _e83 {
         let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
         if (_e281 < _e290) {
-            phi_477_ = _e281;
+            phi_508_ = _e281;
         } else {
-            phi_477_ = _e290;
+            phi_508_ = _e290;
         }
-        let _e293 = phi_477_;
-        phi_516_ = texture_Axis(_e293, _e293, 0f);
+        let _e293 = phi_508_;
+        phi_547_ = texture_Axis(_e293, _e293, 0f);
     } else {
         let _e295 = (_e283 + 0.5f);
         let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
         if (_e79 < _e302) {
-            phi_491_ = _e79;
+            phi_522_ = _e79;
         } else {
-            phi_491_ = _e302;
+            phi_522_ = _e302;
         }
-        let _e305 = phi_491_;
+        let _e305 = phi_522_;
         if (_e208 == 0u) {
-            phi_498_ = _e281;
+            phi_529_ = _e281;
         } else {
-            phi_498_ = 0u;
+            phi_529_ = 0u;
         }
-        let _e310 = phi_498_;
+        let _e310 = phi_529_;
         if (_e208 == 0u) {
-            phi_503_ = 0u;
+            phi_534_ = 0u;
         } else {
-            phi_503_ = _e281;
+            phi_534_ = _e281;
         }
-        let _e313 = phi_503_;
+        let _e313 = phi_534_;
         if (_e305 == 0u) {
-            phi_509_ = _e310;
+            phi_540_ = _e310;
         } else {
-            phi_509_ = (_e305 - 1u);
+            phi_540_ = (_e305 - 1u);
         }
-        let _e317 = phi_509_;
+        let _e317 = phi_540_;
         if (_e305 > _e281) {
-            phi_514_ = _e313;
+            phi_545_ = _e313;
         } else {
-            phi_514_ = _e305;
+            phi_545_ = _e305;
         }
-        let _e320 = phi_514_;
-        phi_516_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
+        let _e320 = phi_545_;
+        phi_547_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
     }
-    let _e323 = phi_516_;
-    let _e327 = (*param).offset;
-    let _e334 = (*param).offset;
-    let _e341 = (*param).offset;
-    let _e348 = (*param).offset;
+    let _e323 = phi_547_;
+    let _e327 = (*param_3).offset;
+    let _e334 = (*param_3).offset;
+    let _e341 = (*param_3).offset;
+    let _e348 = (*param_3).offset;
     return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
-    var phi_583_: lt_bvh_traverse_Tree;
-    var phi_584_: bool;
-    var phi_585_: lt_bvh_traverse_Tree;
-    var phi_586_: bool;
-    var phi_591_: lt_bvh_traverse_Tree;
-
-    if (param_3.x < param_4) {
-        if (param_3.y < param_5) {
-            phi_583_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
-            phi_584_ = false;
-        } else {
-            phi_583_ = lt_bvh_traverse_Tree();
-            phi_584_ = true;
-        }
-        let _e83 = phi_583_;
-        let _e85 = phi_584_;
-        phi_585_ = _e83;
-        phi_586_ = _e85;
-    } else {
-        phi_585_ = lt_bvh_traverse_Tree();
-        phi_586_ = true;
-    }
-    let _e87 = phi_585_;
-    let _e89 = phi_586_;
-    if _e89 {
-        phi_591_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_591_ = _e87;
-    }
-    let _e94 = phi_591_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
 }
 
 fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {

@@ -1,64 +1,3 @@
-struct texture_TextureView {
-    offset: u32,
-    size: u32,
-    flags: u32,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_7 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
-struct type_11 {
-    member: array<abi_Vertex>,
-}
-
-struct abi_Material {
-    base_color: vec4<f32>,
-    cutoff: f32,
-    flags: u32,
-    alpha_offset: u32,
-    alpha_size: u32,
-    color_offset: u32,
-    color_size: u32,
-    pad: vec2<u32>,
-}
-
-struct type_16 {
-    member: array<abi_Material>,
-}
-
-struct type_20 {
-    member: array<u32>,
-}
-
-struct texture_TexelQuad {
-    indices: array<u32, 4>,
-    weights: vec4<f32>,
-}
-
-struct texture_Axis {
-    low: u32,
-    high: u32,
-    fraction: f32,
-}
-
 struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
@@ -81,13 +20,74 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_37 {
+struct type_9 {
     member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
 }
 
 struct lt_bvh_traverse_Tree {
     root: u32,
     first_primitive: u32,
+}
+
+struct texture_TextureView {
+    offset: u32,
+    size: u32,
+    flags: u32,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_27 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_31 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    pad: vec2<u32>,
+}
+
+struct type_35 {
+    member: array<abi_Material>,
+}
+
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
+}
+
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -141,403 +141,403 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-@group(0) @binding(3) 
-var<storage> vertices: type_11;
-@group(0) @binding(4) 
-var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_31;
+@group(0) @binding(4) 
+var<storage> materials: type_35;
 @group(0) @binding(0) 
 var<uniform> p: type_45;
 @group(0) @binding(1) 
 var<storage> nodes: type_50;
 @group(0) @binding(2) 
-var<storage> triangles: type_7;
+var<storage> triangles: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_37;
+var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_20;
+var<storage> alpha_texels: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_234_: f32;
-    var phi_239_: f32;
-    var phi_240_: bool;
-    var phi_241_: f32;
-    var phi_242_: bool;
-    var phi_246_: f32;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_212_: lt_bvh_traverse_Tree;
+    var phi_213_: bool;
+    var phi_214_: lt_bvh_traverse_Tree;
+    var phi_215_: bool;
+    var phi_220_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_212_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_213_ = false;
+        } else {
+            phi_212_ = lt_bvh_traverse_Tree();
+            phi_213_ = true;
+        }
+        let _e82 = phi_212_;
+        let _e84 = phi_213_;
+        phi_214_ = _e82;
+        phi_215_ = _e84;
+    } else {
+        phi_214_ = lt_bvh_traverse_Tree();
+        phi_215_ = true;
+    }
+    let _e86 = phi_214_;
+    let _e88 = phi_215_;
+    if _e88 {
+        phi_220_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_220_ = _e86;
+    }
+    let _e93 = phi_220_;
+    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_265_: f32;
+    var phi_270_: f32;
+    var phi_271_: bool;
     var phi_272_: f32;
+    var phi_273_: bool;
     var phi_277_: f32;
-    var phi_278_: bool;
-    var phi_279_: f32;
-    var phi_280_: bool;
-    var phi_284_: f32;
-    var phi_292_: f32;
-    var phi_293_: f32;
-    var phi_294_: f32;
     var phi_303_: f32;
-    var phi_304_: f32;
-    var phi_322_: u32;
-    var phi_336_: u32;
-    var phi_343_: u32;
-    var phi_348_: u32;
-    var phi_354_: u32;
-    var phi_359_: u32;
-    var phi_361_: texture_Axis;
-    var phi_389_: f32;
-    var phi_394_: f32;
-    var phi_395_: bool;
-    var phi_396_: f32;
-    var phi_397_: bool;
-    var phi_401_: f32;
+    var phi_308_: f32;
+    var phi_309_: bool;
+    var phi_310_: f32;
+    var phi_311_: bool;
+    var phi_315_: f32;
+    var phi_323_: f32;
+    var phi_324_: f32;
+    var phi_325_: f32;
+    var phi_334_: f32;
+    var phi_335_: f32;
+    var phi_353_: u32;
+    var phi_367_: u32;
+    var phi_374_: u32;
+    var phi_379_: u32;
+    var phi_385_: u32;
+    var phi_390_: u32;
+    var phi_392_: texture_Axis;
+    var phi_420_: f32;
+    var phi_425_: f32;
+    var phi_426_: bool;
     var phi_427_: f32;
+    var phi_428_: bool;
     var phi_432_: f32;
-    var phi_433_: bool;
-    var phi_434_: f32;
-    var phi_435_: bool;
-    var phi_439_: f32;
-    var phi_447_: f32;
-    var phi_448_: f32;
-    var phi_449_: f32;
     var phi_458_: f32;
-    var phi_459_: f32;
-    var phi_477_: u32;
-    var phi_491_: u32;
-    var phi_498_: u32;
-    var phi_503_: u32;
-    var phi_509_: u32;
-    var phi_514_: u32;
-    var phi_516_: texture_Axis;
+    var phi_463_: f32;
+    var phi_464_: bool;
+    var phi_465_: f32;
+    var phi_466_: bool;
+    var phi_470_: f32;
+    var phi_478_: f32;
+    var phi_479_: f32;
+    var phi_480_: f32;
+    var phi_489_: f32;
+    var phi_490_: f32;
+    var phi_508_: u32;
+    var phi_522_: u32;
+    var phi_529_: u32;
+    var phi_534_: u32;
+    var phi_540_: u32;
+    var phi_545_: u32;
+    var phi_547_: texture_Axis;
 
-    let _e73 = (*param).size;
+    let _e73 = (*param_3).size;
     let _e74 = (_e73 & 65535u);
-    let _e76 = (*param).size;
+    let _e76 = (*param_3).size;
     let _e78 = (_e76 >> bitcast<u32>(16i));
-    let _e80 = (*param).flags;
+    let _e80 = (*param_3).flags;
     let _e82 = ((_e80 & 4u) != 0u);
-    let _e84 = (*param).flags;
+    let _e84 = (*param_3).flags;
     let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
     if (_e87 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e100 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e100 > param_1) {
-                phi_234_ = 1f;
+        if (param_4 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e100 > param_4) {
+                phi_265_ = 1f;
             } else {
-                phi_234_ = 0f;
+                phi_265_ = 0f;
             }
-            let _e103 = phi_234_;
-            if (param_1 < 8388608f) {
-                phi_239_ = (_e100 - _e103);
-                phi_240_ = false;
+            let _e103 = phi_265_;
+            if (param_4 < 8388608f) {
+                phi_270_ = (_e100 - _e103);
+                phi_271_ = false;
             } else {
-                phi_239_ = f32();
-                phi_240_ = true;
+                phi_270_ = f32();
+                phi_271_ = true;
             }
-            let _e106 = phi_239_;
-            let _e108 = phi_240_;
-            phi_241_ = _e106;
-            phi_242_ = _e108;
+            let _e106 = phi_270_;
+            let _e108 = phi_271_;
+            phi_272_ = _e106;
+            phi_273_ = _e108;
         } else {
-            phi_241_ = f32();
-            phi_242_ = true;
+            phi_272_ = f32();
+            phi_273_ = true;
         }
-        let _e110 = phi_241_;
-        let _e112 = phi_242_;
+        let _e110 = phi_272_;
+        let _e112 = phi_273_;
         if _e112 {
-            phi_246_ = param_1;
+            phi_277_ = param_4;
         } else {
-            phi_246_ = _e110;
+            phi_277_ = _e110;
         }
-        let _e114 = phi_246_;
-        phi_294_ = (param_1 - _e114);
+        let _e114 = phi_277_;
+        phi_325_ = (param_4 - _e114);
     } else {
         if (_e87 == 1u) {
-            let _e117 = (param_1 * 0.5f);
+            let _e117 = (param_4 * 0.5f);
             if (_e117 > -8388608f) {
                 let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
                 if (_e129 > _e117) {
-                    phi_272_ = 1f;
+                    phi_303_ = 1f;
                 } else {
-                    phi_272_ = 0f;
+                    phi_303_ = 0f;
                 }
-                let _e132 = phi_272_;
+                let _e132 = phi_303_;
                 if (_e117 < 8388608f) {
-                    phi_277_ = (_e129 - _e132);
-                    phi_278_ = false;
+                    phi_308_ = (_e129 - _e132);
+                    phi_309_ = false;
                 } else {
-                    phi_277_ = f32();
-                    phi_278_ = true;
+                    phi_308_ = f32();
+                    phi_309_ = true;
                 }
-                let _e135 = phi_277_;
-                let _e137 = phi_278_;
-                phi_279_ = _e135;
-                phi_280_ = _e137;
+                let _e135 = phi_308_;
+                let _e137 = phi_309_;
+                phi_310_ = _e135;
+                phi_311_ = _e137;
             } else {
-                phi_279_ = f32();
-                phi_280_ = true;
+                phi_310_ = f32();
+                phi_311_ = true;
             }
-            let _e139 = phi_279_;
-            let _e141 = phi_280_;
+            let _e139 = phi_310_;
+            let _e141 = phi_311_;
             if _e141 {
-                phi_284_ = _e117;
+                phi_315_ = _e117;
             } else {
-                phi_284_ = _e139;
+                phi_315_ = _e139;
             }
-            let _e143 = phi_284_;
-            let _e145 = (param_1 - (2f * _e143));
+            let _e143 = phi_315_;
+            let _e145 = (param_4 - (2f * _e143));
             if (_e145 > 1f) {
-                phi_292_ = (2f - _e145);
+                phi_323_ = (2f - _e145);
             } else {
-                phi_292_ = _e145;
+                phi_323_ = _e145;
             }
-            let _e149 = phi_292_;
-            phi_293_ = _e149;
+            let _e149 = phi_323_;
+            phi_324_ = _e149;
         } else {
-            phi_293_ = param_1;
+            phi_324_ = param_4;
         }
-        let _e151 = phi_293_;
-        phi_294_ = _e151;
+        let _e151 = phi_324_;
+        phi_325_ = _e151;
     }
-    let _e153 = phi_294_;
+    let _e153 = phi_325_;
     if (_e153 > 0f) {
         if (_e153 < 1f) {
-            phi_303_ = _e153;
+            phi_334_ = _e153;
         } else {
-            phi_303_ = 1f;
+            phi_334_ = 1f;
         }
-        let _e157 = phi_303_;
-        phi_304_ = _e157;
+        let _e157 = phi_334_;
+        phi_335_ = _e157;
     } else {
-        phi_304_ = 0f;
+        phi_335_ = 0f;
     }
-    let _e159 = phi_304_;
+    let _e159 = phi_335_;
     let _e160 = (_e74 - 1u);
     let _e162 = (_e159 * f32(_e74));
     if _e82 {
         let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
         if (_e160 < _e169) {
-            phi_322_ = _e160;
+            phi_353_ = _e160;
         } else {
-            phi_322_ = _e169;
+            phi_353_ = _e169;
         }
-        let _e172 = phi_322_;
-        phi_361_ = texture_Axis(_e172, _e172, 0f);
+        let _e172 = phi_353_;
+        phi_392_ = texture_Axis(_e172, _e172, 0f);
     } else {
         let _e174 = (_e162 + 0.5f);
         let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
         if (_e74 < _e181) {
-            phi_336_ = _e74;
+            phi_367_ = _e74;
         } else {
-            phi_336_ = _e181;
+            phi_367_ = _e181;
         }
-        let _e184 = phi_336_;
+        let _e184 = phi_367_;
         if (_e87 == 0u) {
-            phi_343_ = _e160;
+            phi_374_ = _e160;
         } else {
-            phi_343_ = 0u;
+            phi_374_ = 0u;
         }
-        let _e189 = phi_343_;
+        let _e189 = phi_374_;
         if (_e87 == 0u) {
-            phi_348_ = 0u;
+            phi_379_ = 0u;
         } else {
-            phi_348_ = _e160;
+            phi_379_ = _e160;
         }
-        let _e192 = phi_348_;
+        let _e192 = phi_379_;
         if (_e184 == 0u) {
-            phi_354_ = _e189;
+            phi_385_ = _e189;
         } else {
-            phi_354_ = (_e184 - 1u);
+            phi_385_ = (_e184 - 1u);
         }
-        let _e196 = phi_354_;
+        let _e196 = phi_385_;
         if (_e184 > _e160) {
-            phi_359_ = _e192;
+            phi_390_ = _e192;
         } else {
-            phi_359_ = _e184;
+            phi_390_ = _e184;
         }
-        let _e199 = phi_359_;
-        phi_361_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
+        let _e199 = phi_390_;
+        phi_392_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e202 = phi_361_;
-    let _e204 = (*param).flags;
+    let _e202 = phi_392_;
+    let _e204 = (*param_3).flags;
     let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
     if (_e207 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e220 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e220 > param_2) {
-                phi_389_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e220 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e220 > param_5) {
+                phi_420_ = 1f;
             } else {
-                phi_389_ = 0f;
+                phi_420_ = 0f;
             }
-            let _e223 = phi_389_;
-            if (param_2 < 8388608f) {
-                phi_394_ = (_e220 - _e223);
-                phi_395_ = false;
+            let _e223 = phi_420_;
+            if (param_5 < 8388608f) {
+                phi_425_ = (_e220 - _e223);
+                phi_426_ = false;
             } else {
-                phi_394_ = f32();
-                phi_395_ = true;
+                phi_425_ = f32();
+                phi_426_ = true;
             }
-            let _e226 = phi_394_;
-            let _e228 = phi_395_;
-            phi_396_ = _e226;
-            phi_397_ = _e228;
+            let _e226 = phi_425_;
+            let _e228 = phi_426_;
+            phi_427_ = _e226;
+            phi_428_ = _e228;
         } else {
-            phi_396_ = f32();
-            phi_397_ = true;
+            phi_427_ = f32();
+            phi_428_ = true;
         }
-        let _e230 = phi_396_;
-        let _e232 = phi_397_;
+        let _e230 = phi_427_;
+        let _e232 = phi_428_;
         if _e232 {
-            phi_401_ = param_2;
+            phi_432_ = param_5;
         } else {
-            phi_401_ = _e230;
+            phi_432_ = _e230;
         }
-        let _e234 = phi_401_;
-        phi_449_ = (param_2 - _e234);
+        let _e234 = phi_432_;
+        phi_480_ = (param_5 - _e234);
     } else {
         if (_e207 == 1u) {
-            let _e237 = (param_2 * 0.5f);
+            let _e237 = (param_5 * 0.5f);
             if (_e237 > -8388608f) {
                 let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
                 if (_e249 > _e237) {
-                    phi_427_ = 1f;
+                    phi_458_ = 1f;
                 } else {
-                    phi_427_ = 0f;
+                    phi_458_ = 0f;
                 }
-                let _e252 = phi_427_;
+                let _e252 = phi_458_;
                 if (_e237 < 8388608f) {
-                    phi_432_ = (_e249 - _e252);
-                    phi_433_ = false;
+                    phi_463_ = (_e249 - _e252);
+                    phi_464_ = false;
                 } else {
-                    phi_432_ = f32();
-                    phi_433_ = true;
+                    phi_463_ = f32();
+                    phi_464_ = true;
                 }
-                let _e255 = phi_432_;
-                let _e257 = phi_433_;
-                phi_434_ = _e255;
-                phi_435_ = _e257;
+                let _e255 = phi_463_;
+                let _e257 = phi_464_;
+                phi_465_ = _e255;
+                phi_466_ = _e257;
             } else {
-                phi_434_ = f32();
-                phi_435_ = true;
+                phi_465_ = f32();
+                phi_466_ = true;
             }
-            let _e259 = phi_434_;
-            let _e261 = phi_435_;
+            let _e259 = phi_465_;
+            let _e261 = phi_466_;
             if _e261 {
-                phi_439_ = _e237;
+                phi_470_ = _e237;
             } else {
-                phi_439_ = _e259;
+                phi_470_ = _e259;
             }
-            let _e263 = phi_439_;
-            let _e265 = (param_2 - (2f * _e263));
+            let _e263 = phi_470_;
+            let _e265 = (param_5 - (2f * _e263));
             if (_e265 > 1f) {
-                phi_447_ = (2f - _e265);
+                phi_478_ = (2f - _e265);
             } else {
-                phi_447_ = _e265;
+                phi_478_ = _e265;
             }
-            let _e269 = phi_447_;
-            phi_448_ = _e269;
+            let _e269 = phi_478_;
+            phi_479_ = _e269;
         } else {
-            phi_448_ = param_2;
+            phi_479_ = param_5;
         }
-        let _e271 = phi_448_;
-        phi_449_ = _e271;
+        let _e271 = phi_479_;
+        phi_480_ = _e271;
     }
-    let _e273 = phi_449_;
+    let _e273 = phi_480_;
     if (_e273 > 0f) {
         if (_e273 < 1f) {
-            phi_458_ = _e273;
+            phi_489_ = _e273;
         } else {
-            phi_458_ = 1f;
+            phi_489_ = 1f;
         }
-        let _e277 = phi_458_;
-        phi_459_ = _e277;
+        let _e277 = phi_489_;
+        phi_490_ = _e277;
     } else {
-        phi_459_ = 0f;
+        phi_490_ = 0f;
     }
-    let _e279 = phi_459_;
+    let _e279 = phi_490_;
     let _e280 = (_e78 - 1u);
     let _e282 = (_e279 * f32(_e78));
     if _e82 {
         let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
         if (_e280 < _e289) {
-            phi_477_ = _e280;
+            phi_508_ = _e280;
         } else {
-            phi_477_ = _e289;
+            phi_508_ = _e289;
         }
-        let _e292 = phi_477_;
-        phi_516_ = texture_Axis(_e292, _e292, 0f);
+        let _e292 = phi_508_;
+        phi_547_ = texture_Axis(_e292, _e292, 0f);
     } else {
         let _e294 = (_e282 + 0.5f);
         let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
         if (_e78 < _e301) {
-            phi_491_ = _e78;
+            phi_522_ = _e78;
         } else {
-            phi_491_ = _e301;
+            phi_522_ = _e301;
         }
-        let _e304 = phi_491_;
+        let _e304 = phi_522_;
         if (_e207 == 0u) {
-            phi_498_ = _e280;
+            phi_529_ = _e280;
         } else {
-            phi_498_ = 0u;
+            phi_529_ = 0u;
         }
-        let _e309 = phi_498_;
+        let _e309 = phi_529_;
         if (_e207 == 0u) {
-            phi_503_ = 0u;
+            phi_534_ = 0u;
         } else {
-            phi_503_ = _e280;
+            phi_534_ = _e280;
         }
-        let _e312 = phi_503_;
+        let _e312 = phi_534_;
         if (_e304 == 0u) {
-            phi_509_ = _e309;
+            phi_540_ = _e309;
         } else {
-            phi_509_ = (_e304 - 1u);
+            phi_540_ = (_e304 - 1u);
         }
-        let _e316 = phi_509_;
+        let _e316 = phi_540_;
         if (_e304 > _e280) {
-            phi_514_ = _e312;
+            phi_545_ = _e312;
         } else {
-            phi_514_ = _e304;
+            phi_545_ = _e304;
         }
-        let _e319 = phi_514_;
-        phi_516_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+        let _e319 = phi_545_;
+        phi_547_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
     }
-    let _e322 = phi_516_;
-    let _e326 = (*param).offset;
-    let _e333 = (*param).offset;
-    let _e340 = (*param).offset;
-    let _e347 = (*param).offset;
+    let _e322 = phi_547_;
+    let _e326 = (*param_3).offset;
+    let _e333 = (*param_3).offset;
+    let _e340 = (*param_3).offset;
+    let _e347 = (*param_3).offset;
     return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
-    var phi_583_: lt_bvh_traverse_Tree;
-    var phi_584_: bool;
-    var phi_585_: lt_bvh_traverse_Tree;
-    var phi_586_: bool;
-    var phi_591_: lt_bvh_traverse_Tree;
-
-    if (param_3.x < param_4) {
-        if (param_3.y < param_5) {
-            phi_583_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
-            phi_584_ = false;
-        } else {
-            phi_583_ = lt_bvh_traverse_Tree();
-            phi_584_ = true;
-        }
-        let _e82 = phi_583_;
-        let _e84 = phi_584_;
-        phi_585_ = _e82;
-        phi_586_ = _e84;
-    } else {
-        phi_585_ = lt_bvh_traverse_Tree();
-        phi_586_ = true;
-    }
-    let _e86 = phi_585_;
-    let _e88 = phi_586_;
-    if _e88 {
-        phi_591_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_591_ = _e86;
-    }
-    let _e93 = phi_591_;
-    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
 }
 
 fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_6: vec3<f32>) -> vec3<f32> {

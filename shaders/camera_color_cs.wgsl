@@ -1,64 +1,3 @@
-struct texture_TextureView {
-    offset: u32,
-    size: u32,
-    flags: u32,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_7 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
-struct type_11 {
-    member: array<abi_Vertex>,
-}
-
-struct abi_Material {
-    base_color: vec4<f32>,
-    cutoff: f32,
-    flags: u32,
-    alpha_offset: u32,
-    alpha_size: u32,
-    color_offset: u32,
-    color_size: u32,
-    pad: vec2<u32>,
-}
-
-struct type_16 {
-    member: array<abi_Material>,
-}
-
-struct type_20 {
-    member: array<u32>,
-}
-
-struct texture_TexelQuad {
-    indices: array<u32, 4>,
-    weights: vec4<f32>,
-}
-
-struct texture_Axis {
-    low: u32,
-    high: u32,
-    fraction: f32,
-}
-
 struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
@@ -81,13 +20,74 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_37 {
+struct type_9 {
     member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
 }
 
 struct lt_bvh_traverse_Tree {
     root: u32,
     first_primitive: u32,
+}
+
+struct texture_TextureView {
+    offset: u32,
+    size: u32,
+    flags: u32,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_27 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_31 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    pad: vec2<u32>,
+}
+
+struct type_35 {
+    member: array<abi_Material>,
+}
+
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
+}
+
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -141,403 +141,403 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-@group(0) @binding(3) 
-var<storage> vertices: type_11;
-@group(0) @binding(4) 
-var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_31;
+@group(0) @binding(4) 
+var<storage> materials: type_35;
 @group(0) @binding(0) 
 var<uniform> p: type_45;
 @group(0) @binding(1) 
 var<storage> nodes: type_50;
 @group(0) @binding(2) 
-var<storage> triangles: type_7;
+var<storage> triangles: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_37;
+var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> color_texels: type_20;
+var<storage> color_texels: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_227_: f32;
-    var phi_232_: f32;
-    var phi_233_: bool;
-    var phi_234_: f32;
-    var phi_235_: bool;
-    var phi_239_: f32;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_205_: lt_bvh_traverse_Tree;
+    var phi_206_: bool;
+    var phi_207_: lt_bvh_traverse_Tree;
+    var phi_208_: bool;
+    var phi_213_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_205_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_206_ = false;
+        } else {
+            phi_205_ = lt_bvh_traverse_Tree();
+            phi_206_ = true;
+        }
+        let _e81 = phi_205_;
+        let _e83 = phi_206_;
+        phi_207_ = _e81;
+        phi_208_ = _e83;
+    } else {
+        phi_207_ = lt_bvh_traverse_Tree();
+        phi_208_ = true;
+    }
+    let _e85 = phi_207_;
+    let _e87 = phi_208_;
+    if _e87 {
+        phi_213_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_213_ = _e85;
+    }
+    let _e92 = phi_213_;
+    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_258_: f32;
+    var phi_263_: f32;
+    var phi_264_: bool;
     var phi_265_: f32;
+    var phi_266_: bool;
     var phi_270_: f32;
-    var phi_271_: bool;
-    var phi_272_: f32;
-    var phi_273_: bool;
-    var phi_277_: f32;
-    var phi_285_: f32;
-    var phi_286_: f32;
-    var phi_287_: f32;
     var phi_296_: f32;
-    var phi_297_: f32;
-    var phi_315_: u32;
-    var phi_329_: u32;
-    var phi_336_: u32;
-    var phi_341_: u32;
-    var phi_347_: u32;
-    var phi_352_: u32;
-    var phi_354_: texture_Axis;
-    var phi_382_: f32;
-    var phi_387_: f32;
-    var phi_388_: bool;
-    var phi_389_: f32;
-    var phi_390_: bool;
-    var phi_394_: f32;
+    var phi_301_: f32;
+    var phi_302_: bool;
+    var phi_303_: f32;
+    var phi_304_: bool;
+    var phi_308_: f32;
+    var phi_316_: f32;
+    var phi_317_: f32;
+    var phi_318_: f32;
+    var phi_327_: f32;
+    var phi_328_: f32;
+    var phi_346_: u32;
+    var phi_360_: u32;
+    var phi_367_: u32;
+    var phi_372_: u32;
+    var phi_378_: u32;
+    var phi_383_: u32;
+    var phi_385_: texture_Axis;
+    var phi_413_: f32;
+    var phi_418_: f32;
+    var phi_419_: bool;
     var phi_420_: f32;
+    var phi_421_: bool;
     var phi_425_: f32;
-    var phi_426_: bool;
-    var phi_427_: f32;
-    var phi_428_: bool;
-    var phi_432_: f32;
-    var phi_440_: f32;
-    var phi_441_: f32;
-    var phi_442_: f32;
     var phi_451_: f32;
-    var phi_452_: f32;
-    var phi_470_: u32;
-    var phi_484_: u32;
-    var phi_491_: u32;
-    var phi_496_: u32;
-    var phi_502_: u32;
-    var phi_507_: u32;
-    var phi_509_: texture_Axis;
+    var phi_456_: f32;
+    var phi_457_: bool;
+    var phi_458_: f32;
+    var phi_459_: bool;
+    var phi_463_: f32;
+    var phi_471_: f32;
+    var phi_472_: f32;
+    var phi_473_: f32;
+    var phi_482_: f32;
+    var phi_483_: f32;
+    var phi_501_: u32;
+    var phi_515_: u32;
+    var phi_522_: u32;
+    var phi_527_: u32;
+    var phi_533_: u32;
+    var phi_538_: u32;
+    var phi_540_: texture_Axis;
 
-    let _e72 = (*param).size;
+    let _e72 = (*param_3).size;
     let _e73 = (_e72 & 65535u);
-    let _e75 = (*param).size;
+    let _e75 = (*param_3).size;
     let _e77 = (_e75 >> bitcast<u32>(16i));
-    let _e79 = (*param).flags;
+    let _e79 = (*param_3).flags;
     let _e81 = ((_e79 & 4u) != 0u);
-    let _e83 = (*param).flags;
+    let _e83 = (*param_3).flags;
     let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
     if (_e86 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e99 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e99 > param_1) {
-                phi_227_ = 1f;
+        if (param_4 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e99 > param_4) {
+                phi_258_ = 1f;
             } else {
-                phi_227_ = 0f;
+                phi_258_ = 0f;
             }
-            let _e102 = phi_227_;
-            if (param_1 < 8388608f) {
-                phi_232_ = (_e99 - _e102);
-                phi_233_ = false;
+            let _e102 = phi_258_;
+            if (param_4 < 8388608f) {
+                phi_263_ = (_e99 - _e102);
+                phi_264_ = false;
             } else {
-                phi_232_ = f32();
-                phi_233_ = true;
+                phi_263_ = f32();
+                phi_264_ = true;
             }
-            let _e105 = phi_232_;
-            let _e107 = phi_233_;
-            phi_234_ = _e105;
-            phi_235_ = _e107;
+            let _e105 = phi_263_;
+            let _e107 = phi_264_;
+            phi_265_ = _e105;
+            phi_266_ = _e107;
         } else {
-            phi_234_ = f32();
-            phi_235_ = true;
+            phi_265_ = f32();
+            phi_266_ = true;
         }
-        let _e109 = phi_234_;
-        let _e111 = phi_235_;
+        let _e109 = phi_265_;
+        let _e111 = phi_266_;
         if _e111 {
-            phi_239_ = param_1;
+            phi_270_ = param_4;
         } else {
-            phi_239_ = _e109;
+            phi_270_ = _e109;
         }
-        let _e113 = phi_239_;
-        phi_287_ = (param_1 - _e113);
+        let _e113 = phi_270_;
+        phi_318_ = (param_4 - _e113);
     } else {
         if (_e86 == 1u) {
-            let _e116 = (param_1 * 0.5f);
+            let _e116 = (param_4 * 0.5f);
             if (_e116 > -8388608f) {
                 let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
                 if (_e128 > _e116) {
-                    phi_265_ = 1f;
+                    phi_296_ = 1f;
                 } else {
-                    phi_265_ = 0f;
+                    phi_296_ = 0f;
                 }
-                let _e131 = phi_265_;
+                let _e131 = phi_296_;
                 if (_e116 < 8388608f) {
-                    phi_270_ = (_e128 - _e131);
-                    phi_271_ = false;
+                    phi_301_ = (_e128 - _e131);
+                    phi_302_ = false;
                 } else {
-                    phi_270_ = f32();
-                    phi_271_ = true;
+                    phi_301_ = f32();
+                    phi_302_ = true;
                 }
-                let _e134 = phi_270_;
-                let _e136 = phi_271_;
-                phi_272_ = _e134;
-                phi_273_ = _e136;
+                let _e134 = phi_301_;
+                let _e136 = phi_302_;
+                phi_303_ = _e134;
+                phi_304_ = _e136;
             } else {
-                phi_272_ = f32();
-                phi_273_ = true;
+                phi_303_ = f32();
+                phi_304_ = true;
             }
-            let _e138 = phi_272_;
-            let _e140 = phi_273_;
+            let _e138 = phi_303_;
+            let _e140 = phi_304_;
             if _e140 {
-                phi_277_ = _e116;
+                phi_308_ = _e116;
             } else {
-                phi_277_ = _e138;
+                phi_308_ = _e138;
             }
-            let _e142 = phi_277_;
-            let _e144 = (param_1 - (2f * _e142));
+            let _e142 = phi_308_;
+            let _e144 = (param_4 - (2f * _e142));
             if (_e144 > 1f) {
-                phi_285_ = (2f - _e144);
+                phi_316_ = (2f - _e144);
             } else {
-                phi_285_ = _e144;
+                phi_316_ = _e144;
             }
-            let _e148 = phi_285_;
-            phi_286_ = _e148;
+            let _e148 = phi_316_;
+            phi_317_ = _e148;
         } else {
-            phi_286_ = param_1;
+            phi_317_ = param_4;
         }
-        let _e150 = phi_286_;
-        phi_287_ = _e150;
+        let _e150 = phi_317_;
+        phi_318_ = _e150;
     }
-    let _e152 = phi_287_;
+    let _e152 = phi_318_;
     if (_e152 > 0f) {
         if (_e152 < 1f) {
-            phi_296_ = _e152;
+            phi_327_ = _e152;
         } else {
-            phi_296_ = 1f;
+            phi_327_ = 1f;
         }
-        let _e156 = phi_296_;
-        phi_297_ = _e156;
+        let _e156 = phi_327_;
+        phi_328_ = _e156;
     } else {
-        phi_297_ = 0f;
+        phi_328_ = 0f;
     }
-    let _e158 = phi_297_;
+    let _e158 = phi_328_;
     let _e159 = (_e73 - 1u);
     let _e161 = (_e158 * f32(_e73));
     if _e81 {
         let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
         if (_e159 < _e168) {
-            phi_315_ = _e159;
+            phi_346_ = _e159;
         } else {
-            phi_315_ = _e168;
+            phi_346_ = _e168;
         }
-        let _e171 = phi_315_;
-        phi_354_ = texture_Axis(_e171, _e171, 0f);
+        let _e171 = phi_346_;
+        phi_385_ = texture_Axis(_e171, _e171, 0f);
     } else {
         let _e173 = (_e161 + 0.5f);
         let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
         if (_e73 < _e180) {
-            phi_329_ = _e73;
+            phi_360_ = _e73;
         } else {
-            phi_329_ = _e180;
+            phi_360_ = _e180;
         }
-        let _e183 = phi_329_;
+        let _e183 = phi_360_;
         if (_e86 == 0u) {
-            phi_336_ = _e159;
+            phi_367_ = _e159;
         } else {
-            phi_336_ = 0u;
+            phi_367_ = 0u;
         }
-        let _e188 = phi_336_;
+        let _e188 = phi_367_;
         if (_e86 == 0u) {
-            phi_341_ = 0u;
+            phi_372_ = 0u;
         } else {
-            phi_341_ = _e159;
+            phi_372_ = _e159;
         }
-        let _e191 = phi_341_;
+        let _e191 = phi_372_;
         if (_e183 == 0u) {
-            phi_347_ = _e188;
+            phi_378_ = _e188;
         } else {
-            phi_347_ = (_e183 - 1u);
+            phi_378_ = (_e183 - 1u);
         }
-        let _e195 = phi_347_;
+        let _e195 = phi_378_;
         if (_e183 > _e159) {
-            phi_352_ = _e191;
+            phi_383_ = _e191;
         } else {
-            phi_352_ = _e183;
+            phi_383_ = _e183;
         }
-        let _e198 = phi_352_;
-        phi_354_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e198 = phi_383_;
+        phi_385_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e201 = phi_354_;
-    let _e203 = (*param).flags;
+    let _e201 = phi_385_;
+    let _e203 = (*param_3).flags;
     let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
     if (_e206 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e219 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e219 > param_2) {
-                phi_382_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e219 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e219 > param_5) {
+                phi_413_ = 1f;
             } else {
-                phi_382_ = 0f;
+                phi_413_ = 0f;
             }
-            let _e222 = phi_382_;
-            if (param_2 < 8388608f) {
-                phi_387_ = (_e219 - _e222);
-                phi_388_ = false;
+            let _e222 = phi_413_;
+            if (param_5 < 8388608f) {
+                phi_418_ = (_e219 - _e222);
+                phi_419_ = false;
             } else {
-                phi_387_ = f32();
-                phi_388_ = true;
+                phi_418_ = f32();
+                phi_419_ = true;
             }
-            let _e225 = phi_387_;
-            let _e227 = phi_388_;
-            phi_389_ = _e225;
-            phi_390_ = _e227;
+            let _e225 = phi_418_;
+            let _e227 = phi_419_;
+            phi_420_ = _e225;
+            phi_421_ = _e227;
         } else {
-            phi_389_ = f32();
-            phi_390_ = true;
+            phi_420_ = f32();
+            phi_421_ = true;
         }
-        let _e229 = phi_389_;
-        let _e231 = phi_390_;
+        let _e229 = phi_420_;
+        let _e231 = phi_421_;
         if _e231 {
-            phi_394_ = param_2;
+            phi_425_ = param_5;
         } else {
-            phi_394_ = _e229;
+            phi_425_ = _e229;
         }
-        let _e233 = phi_394_;
-        phi_442_ = (param_2 - _e233);
+        let _e233 = phi_425_;
+        phi_473_ = (param_5 - _e233);
     } else {
         if (_e206 == 1u) {
-            let _e236 = (param_2 * 0.5f);
+            let _e236 = (param_5 * 0.5f);
             if (_e236 > -8388608f) {
                 let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
                 if (_e248 > _e236) {
-                    phi_420_ = 1f;
+                    phi_451_ = 1f;
                 } else {
-                    phi_420_ = 0f;
+                    phi_451_ = 0f;
                 }
-                let _e251 = phi_420_;
+                let _e251 = phi_451_;
                 if (_e236 < 8388608f) {
-                    phi_425_ = (_e248 - _e251);
-                    phi_426_ = false;
+                    phi_456_ = (_e248 - _e251);
+                    phi_457_ = false;
                 } else {
-                    phi_425_ = f32();
-                    phi_426_ = true;
+                    phi_456_ = f32();
+                    phi_457_ = true;
                 }
-                let _e254 = phi_425_;
-                let _e256 = phi_426_;
-                phi_427_ = _e254;
-                phi_428_ = _e256;
+                let _e254 = phi_456_;
+                let _e256 = phi_457_;
+                phi_458_ = _e254;
+                phi_459_ = _e256;
             } else {
-                phi_427_ = f32();
-                phi_428_ = true;
+                phi_458_ = f32();
+                phi_459_ = true;
             }
-            let _e258 = phi_427_;
-            let _e260 = phi_428_;
+            let _e258 = phi_458_;
+            let _e260 = phi_459_;
             if _e260 {
-                phi_432_ = _e236;
+                phi_463_ = _e236;
             } else {
-                phi_432_ = _e258;
+                phi_463_ = _e258;
             }
-            let _e262 = phi_432_;
-            let _e264 = (param_2 - (2f * _e262));
+            let _e262 = phi_463_;
+            let _e264 = (param_5 - (2f * _e262));
             if (_e264 > 1f) {
-                phi_440_ = (2f - _e264);
+                phi_471_ = (2f - _e264);
             } else {
-                phi_440_ = _e264;
+                phi_471_ = _e264;
             }
-            let _e268 = phi_440_;
-            phi_441_ = _e268;
+            let _e268 = phi_471_;
+            phi_472_ = _e268;
         } else {
-            phi_441_ = param_2;
+            phi_472_ = param_5;
         }
-        let _e270 = phi_441_;
-        phi_442_ = _e270;
+        let _e270 = phi_472_;
+        phi_473_ = _e270;
     }
-    let _e272 = phi_442_;
+    let _e272 = phi_473_;
     if (_e272 > 0f) {
         if (_e272 < 1f) {
-            phi_451_ = _e272;
+            phi_482_ = _e272;
         } else {
-            phi_451_ = 1f;
+            phi_482_ = 1f;
         }
-        let _e276 = phi_451_;
-        phi_452_ = _e276;
+        let _e276 = phi_482_;
+        phi_483_ = _e276;
     } else {
-        phi_452_ = 0f;
+        phi_483_ = 0f;
     }
-    let _e278 = phi_452_;
+    let _e278 = phi_483_;
     let _e279 = (_e77 - 1u);
     let _e281 = (_e278 * f32(_e77));
     if _e81 {
         let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
         if (_e279 < _e288) {
-            phi_470_ = _e279;
+            phi_501_ = _e279;
         } else {
-            phi_470_ = _e288;
+            phi_501_ = _e288;
         }
-        let _e291 = phi_470_;
-        phi_509_ = texture_Axis(_e291, _e291, 0f);
+        let _e291 = phi_501_;
+        phi_540_ = texture_Axis(_e291, _e291, 0f);
     } else {
         let _e293 = (_e281 + 0.5f);
         let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
         if (_e77 < _e300) {
-            phi_484_ = _e77;
+            phi_515_ = _e77;
         } else {
-            phi_484_ = _e300;
+            phi_515_ = _e300;
         }
-        let _e303 = phi_484_;
+        let _e303 = phi_515_;
         if (_e206 == 0u) {
-            phi_491_ = _e279;
+            phi_522_ = _e279;
         } else {
-            phi_491_ = 0u;
+            phi_522_ = 0u;
         }
-        let _e308 = phi_491_;
+        let _e308 = phi_522_;
         if (_e206 == 0u) {
-            phi_496_ = 0u;
+            phi_527_ = 0u;
         } else {
-            phi_496_ = _e279;
+            phi_527_ = _e279;
         }
-        let _e311 = phi_496_;
+        let _e311 = phi_527_;
         if (_e303 == 0u) {
-            phi_502_ = _e308;
+            phi_533_ = _e308;
         } else {
-            phi_502_ = (_e303 - 1u);
+            phi_533_ = (_e303 - 1u);
         }
-        let _e315 = phi_502_;
+        let _e315 = phi_533_;
         if (_e303 > _e279) {
-            phi_507_ = _e311;
+            phi_538_ = _e311;
         } else {
-            phi_507_ = _e303;
+            phi_538_ = _e303;
         }
-        let _e318 = phi_507_;
-        phi_509_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e318 = phi_538_;
+        phi_540_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e321 = phi_509_;
-    let _e325 = (*param).offset;
-    let _e332 = (*param).offset;
-    let _e339 = (*param).offset;
-    let _e346 = (*param).offset;
+    let _e321 = phi_540_;
+    let _e325 = (*param_3).offset;
+    let _e332 = (*param_3).offset;
+    let _e339 = (*param_3).offset;
+    let _e346 = (*param_3).offset;
     return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
-    var phi_576_: lt_bvh_traverse_Tree;
-    var phi_577_: bool;
-    var phi_578_: lt_bvh_traverse_Tree;
-    var phi_579_: bool;
-    var phi_584_: lt_bvh_traverse_Tree;
-
-    if (param_3.x < param_4) {
-        if (param_3.y < param_5) {
-            phi_576_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
-            phi_577_ = false;
-        } else {
-            phi_576_ = lt_bvh_traverse_Tree();
-            phi_577_ = true;
-        }
-        let _e81 = phi_576_;
-        let _e83 = phi_577_;
-        phi_578_ = _e81;
-        phi_579_ = _e83;
-    } else {
-        phi_578_ = lt_bvh_traverse_Tree();
-        phi_579_ = true;
-    }
-    let _e85 = phi_578_;
-    let _e87 = phi_579_;
-    if _e87 {
-        phi_584_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_584_ = _e85;
-    }
-    let _e92 = phi_584_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
 fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {

@@ -1,43 +1,3 @@
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_6 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
-struct type_10 {
-    member: array<abi_Vertex>,
-}
-
-struct abi_Material {
-    base_color: vec4<f32>,
-    cutoff: f32,
-    flags: u32,
-    alpha_offset: u32,
-    alpha_size: u32,
-    color_offset: u32,
-    color_size: u32,
-    pad: vec2<u32>,
-}
-
-struct type_15 {
-    member: array<abi_Material>,
-}
-
 struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
@@ -60,13 +20,53 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_31 {
+struct type_9 {
     member: array<abi_Sample>,
 }
 
 struct lt_bvh_traverse_Tree {
     root: u32,
     first_primitive: u32,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_22 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_26 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    pad: vec2<u32>,
+}
+
+struct type_30 {
+    member: array<abi_Material>,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -120,19 +120,19 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-@group(0) @binding(3) 
-var<storage> vertices: type_10;
-@group(0) @binding(4) 
-var<storage> materials: type_15;
 var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_26;
+@group(0) @binding(4) 
+var<storage> materials: type_30;
 @group(0) @binding(0) 
 var<uniform> p: type_39;
 @group(0) @binding(1) 
 var<storage> nodes: type_44;
 @group(0) @binding(2) 
-var<storage> triangles: type_6;
+var<storage> triangles: type_22;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_31;
+var<storage, read_write> samples: type_9;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_184_: lt_bvh_traverse_Tree;

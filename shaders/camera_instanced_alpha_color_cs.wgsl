@@ -1,3 +1,38 @@
+struct abi_CameraParams {
+    eye: vec3<f32>,
+    root: u32,
+    right: vec3<f32>,
+    pad0_: u32,
+    up: vec3<f32>,
+    pad1_: u32,
+    forward: vec3<f32>,
+    pad2_: u32,
+    size: vec2<u32>,
+    pad3_: vec2<u32>,
+}
+
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct texture_TextureView {
     offset: u32,
     size: u32,
@@ -13,7 +48,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_7 {
+struct type_28 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -25,7 +60,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_11 {
+struct type_32 {
     member: array<abi_Vertex>,
 }
 
@@ -40,12 +75,8 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_16 {
+struct type_36 {
     member: array<abi_Material>,
-}
-
-struct type_20 {
-    member: array<u32>,
 }
 
 struct texture_TexelQuad {
@@ -70,39 +101,8 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_36 {
+struct type_47 {
     member: array<lt_bvh_Instance>,
-}
-
-struct abi_CameraParams {
-    eye: vec3<f32>,
-    root: u32,
-    right: vec3<f32>,
-    pad0_: u32,
-    up: vec3<f32>,
-    pad1_: u32,
-    forward: vec3<f32>,
-    pad2_: u32,
-    size: vec2<u32>,
-    pad3_: vec2<u32>,
-}
-
-struct abi_Sample {
-    position: vec3<f32>,
-    magnitude: f32,
-    normal: vec3<f32>,
-    flags: u32,
-    shading_normal: vec3<f32>,
-    albedo: u32,
-}
-
-struct type_45 {
-    member: array<abi_Sample>,
-}
-
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -156,407 +156,407 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-@group(0) @binding(3) 
-var<storage> vertices: type_11;
-@group(0) @binding(4) 
-var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_32;
+@group(0) @binding(4) 
+var<storage> materials: type_36;
 @group(0) @binding(0) 
 var<uniform> p: type_53;
 @group(0) @binding(1) 
 var<storage> nodes: type_58;
 @group(0) @binding(2) 
-var<storage> triangles: type_7;
+var<storage> triangles: type_28;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_45;
+var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_36;
+var<storage> instances: type_47;
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_20;
+var<storage> alpha_texels: type_13;
 @group(0) @binding(8) 
-var<storage> color_texels: type_20;
+var<storage> color_texels: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_244_: f32;
-    var phi_249_: f32;
-    var phi_250_: bool;
-    var phi_251_: f32;
-    var phi_252_: bool;
-    var phi_256_: f32;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_222_: lt_bvh_traverse_Tree;
+    var phi_223_: bool;
+    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_225_: bool;
+    var phi_230_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_222_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_223_ = false;
+        } else {
+            phi_222_ = lt_bvh_traverse_Tree();
+            phi_223_ = true;
+        }
+        let _e83 = phi_222_;
+        let _e85 = phi_223_;
+        phi_224_ = _e83;
+        phi_225_ = _e85;
+    } else {
+        phi_224_ = lt_bvh_traverse_Tree();
+        phi_225_ = true;
+    }
+    let _e87 = phi_224_;
+    let _e89 = phi_225_;
+    if _e89 {
+        phi_230_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_230_ = _e87;
+    }
+    let _e94 = phi_230_;
+    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_275_: f32;
+    var phi_280_: f32;
+    var phi_281_: bool;
     var phi_282_: f32;
+    var phi_283_: bool;
     var phi_287_: f32;
-    var phi_288_: bool;
-    var phi_289_: f32;
-    var phi_290_: bool;
-    var phi_294_: f32;
-    var phi_302_: f32;
-    var phi_303_: f32;
-    var phi_304_: f32;
     var phi_313_: f32;
-    var phi_314_: f32;
-    var phi_332_: u32;
-    var phi_346_: u32;
-    var phi_353_: u32;
-    var phi_358_: u32;
-    var phi_364_: u32;
-    var phi_369_: u32;
-    var phi_371_: texture_Axis;
-    var phi_399_: f32;
-    var phi_404_: f32;
-    var phi_405_: bool;
-    var phi_406_: f32;
-    var phi_407_: bool;
-    var phi_411_: f32;
+    var phi_318_: f32;
+    var phi_319_: bool;
+    var phi_320_: f32;
+    var phi_321_: bool;
+    var phi_325_: f32;
+    var phi_333_: f32;
+    var phi_334_: f32;
+    var phi_335_: f32;
+    var phi_344_: f32;
+    var phi_345_: f32;
+    var phi_363_: u32;
+    var phi_377_: u32;
+    var phi_384_: u32;
+    var phi_389_: u32;
+    var phi_395_: u32;
+    var phi_400_: u32;
+    var phi_402_: texture_Axis;
+    var phi_430_: f32;
+    var phi_435_: f32;
+    var phi_436_: bool;
     var phi_437_: f32;
+    var phi_438_: bool;
     var phi_442_: f32;
-    var phi_443_: bool;
-    var phi_444_: f32;
-    var phi_445_: bool;
-    var phi_449_: f32;
-    var phi_457_: f32;
-    var phi_458_: f32;
-    var phi_459_: f32;
     var phi_468_: f32;
-    var phi_469_: f32;
-    var phi_487_: u32;
-    var phi_501_: u32;
-    var phi_508_: u32;
-    var phi_513_: u32;
-    var phi_519_: u32;
-    var phi_524_: u32;
-    var phi_526_: texture_Axis;
+    var phi_473_: f32;
+    var phi_474_: bool;
+    var phi_475_: f32;
+    var phi_476_: bool;
+    var phi_480_: f32;
+    var phi_488_: f32;
+    var phi_489_: f32;
+    var phi_490_: f32;
+    var phi_499_: f32;
+    var phi_500_: f32;
+    var phi_518_: u32;
+    var phi_532_: u32;
+    var phi_539_: u32;
+    var phi_544_: u32;
+    var phi_550_: u32;
+    var phi_555_: u32;
+    var phi_557_: texture_Axis;
 
-    let _e74 = (*param).size;
+    let _e74 = (*param_3).size;
     let _e75 = (_e74 & 65535u);
-    let _e77 = (*param).size;
+    let _e77 = (*param_3).size;
     let _e79 = (_e77 >> bitcast<u32>(16i));
-    let _e81 = (*param).flags;
+    let _e81 = (*param_3).flags;
     let _e83 = ((_e81 & 4u) != 0u);
-    let _e85 = (*param).flags;
+    let _e85 = (*param_3).flags;
     let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
     if (_e88 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e101 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e101 > param_1) {
-                phi_244_ = 1f;
+        if (param_4 > -8388608f) {
+            let _e101 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e101 > param_4) {
+                phi_275_ = 1f;
             } else {
-                phi_244_ = 0f;
+                phi_275_ = 0f;
             }
-            let _e104 = phi_244_;
-            if (param_1 < 8388608f) {
-                phi_249_ = (_e101 - _e104);
-                phi_250_ = false;
+            let _e104 = phi_275_;
+            if (param_4 < 8388608f) {
+                phi_280_ = (_e101 - _e104);
+                phi_281_ = false;
             } else {
-                phi_249_ = f32();
-                phi_250_ = true;
+                phi_280_ = f32();
+                phi_281_ = true;
             }
-            let _e107 = phi_249_;
-            let _e109 = phi_250_;
-            phi_251_ = _e107;
-            phi_252_ = _e109;
+            let _e107 = phi_280_;
+            let _e109 = phi_281_;
+            phi_282_ = _e107;
+            phi_283_ = _e109;
         } else {
-            phi_251_ = f32();
-            phi_252_ = true;
+            phi_282_ = f32();
+            phi_283_ = true;
         }
-        let _e111 = phi_251_;
-        let _e113 = phi_252_;
+        let _e111 = phi_282_;
+        let _e113 = phi_283_;
         if _e113 {
-            phi_256_ = param_1;
+            phi_287_ = param_4;
         } else {
-            phi_256_ = _e111;
+            phi_287_ = _e111;
         }
-        let _e115 = phi_256_;
-        phi_304_ = (param_1 - _e115);
+        let _e115 = phi_287_;
+        phi_335_ = (param_4 - _e115);
     } else {
         if (_e88 == 1u) {
-            let _e118 = (param_1 * 0.5f);
+            let _e118 = (param_4 * 0.5f);
             if (_e118 > -8388608f) {
                 let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
                 if (_e130 > _e118) {
-                    phi_282_ = 1f;
+                    phi_313_ = 1f;
                 } else {
-                    phi_282_ = 0f;
+                    phi_313_ = 0f;
                 }
-                let _e133 = phi_282_;
+                let _e133 = phi_313_;
                 if (_e118 < 8388608f) {
-                    phi_287_ = (_e130 - _e133);
-                    phi_288_ = false;
+                    phi_318_ = (_e130 - _e133);
+                    phi_319_ = false;
                 } else {
-                    phi_287_ = f32();
-                    phi_288_ = true;
+                    phi_318_ = f32();
+                    phi_319_ = true;
                 }
-                let _e136 = phi_287_;
-                let _e138 = phi_288_;
-                phi_289_ = _e136;
-                phi_290_ = _e138;
+                let _e136 = phi_318_;
+                let _e138 = phi_319_;
+                phi_320_ = _e136;
+                phi_321_ = _e138;
             } else {
-                phi_289_ = f32();
-                phi_290_ = true;
+                phi_320_ = f32();
+                phi_321_ = true;
             }
-            let _e140 = phi_289_;
-            let _e142 = phi_290_;
+            let _e140 = phi_320_;
+            let _e142 = phi_321_;
             if _e142 {
-                phi_294_ = _e118;
+                phi_325_ = _e118;
             } else {
-                phi_294_ = _e140;
+                phi_325_ = _e140;
             }
-            let _e144 = phi_294_;
-            let _e146 = (param_1 - (2f * _e144));
+            let _e144 = phi_325_;
+            let _e146 = (param_4 - (2f * _e144));
             if (_e146 > 1f) {
-                phi_302_ = (2f - _e146);
+                phi_333_ = (2f - _e146);
             } else {
-                phi_302_ = _e146;
+                phi_333_ = _e146;
             }
-            let _e150 = phi_302_;
-            phi_303_ = _e150;
+            let _e150 = phi_333_;
+            phi_334_ = _e150;
         } else {
-            phi_303_ = param_1;
+            phi_334_ = param_4;
         }
-        let _e152 = phi_303_;
-        phi_304_ = _e152;
+        let _e152 = phi_334_;
+        phi_335_ = _e152;
     }
-    let _e154 = phi_304_;
+    let _e154 = phi_335_;
     if (_e154 > 0f) {
         if (_e154 < 1f) {
-            phi_313_ = _e154;
+            phi_344_ = _e154;
         } else {
-            phi_313_ = 1f;
+            phi_344_ = 1f;
         }
-        let _e158 = phi_313_;
-        phi_314_ = _e158;
+        let _e158 = phi_344_;
+        phi_345_ = _e158;
     } else {
-        phi_314_ = 0f;
+        phi_345_ = 0f;
     }
-    let _e160 = phi_314_;
+    let _e160 = phi_345_;
     let _e161 = (_e75 - 1u);
     let _e163 = (_e160 * f32(_e75));
     if _e83 {
         let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
         if (_e161 < _e170) {
-            phi_332_ = _e161;
+            phi_363_ = _e161;
         } else {
-            phi_332_ = _e170;
+            phi_363_ = _e170;
         }
-        let _e173 = phi_332_;
-        phi_371_ = texture_Axis(_e173, _e173, 0f);
+        let _e173 = phi_363_;
+        phi_402_ = texture_Axis(_e173, _e173, 0f);
     } else {
         let _e175 = (_e163 + 0.5f);
         let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
         if (_e75 < _e182) {
-            phi_346_ = _e75;
+            phi_377_ = _e75;
         } else {
-            phi_346_ = _e182;
+            phi_377_ = _e182;
         }
-        let _e185 = phi_346_;
+        let _e185 = phi_377_;
         if (_e88 == 0u) {
-            phi_353_ = _e161;
+            phi_384_ = _e161;
         } else {
-            phi_353_ = 0u;
+            phi_384_ = 0u;
         }
-        let _e190 = phi_353_;
+        let _e190 = phi_384_;
         if (_e88 == 0u) {
-            phi_358_ = 0u;
+            phi_389_ = 0u;
         } else {
-            phi_358_ = _e161;
+            phi_389_ = _e161;
         }
-        let _e193 = phi_358_;
+        let _e193 = phi_389_;
         if (_e185 == 0u) {
-            phi_364_ = _e190;
+            phi_395_ = _e190;
         } else {
-            phi_364_ = (_e185 - 1u);
+            phi_395_ = (_e185 - 1u);
         }
-        let _e197 = phi_364_;
+        let _e197 = phi_395_;
         if (_e185 > _e161) {
-            phi_369_ = _e193;
+            phi_400_ = _e193;
         } else {
-            phi_369_ = _e185;
+            phi_400_ = _e185;
         }
-        let _e200 = phi_369_;
-        phi_371_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
+        let _e200 = phi_400_;
+        phi_402_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
     }
-    let _e203 = phi_371_;
-    let _e205 = (*param).flags;
+    let _e203 = phi_402_;
+    let _e205 = (*param_3).flags;
     let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
     if (_e208 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e221 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e221 > param_2) {
-                phi_399_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e221 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e221 > param_5) {
+                phi_430_ = 1f;
             } else {
-                phi_399_ = 0f;
+                phi_430_ = 0f;
             }
-            let _e224 = phi_399_;
-            if (param_2 < 8388608f) {
-                phi_404_ = (_e221 - _e224);
-                phi_405_ = false;
+            let _e224 = phi_430_;
+            if (param_5 < 8388608f) {
+                phi_435_ = (_e221 - _e224);
+                phi_436_ = false;
             } else {
-                phi_404_ = f32();
-                phi_405_ = true;
+                phi_435_ = f32();
+                phi_436_ = true;
             }
-            let _e227 = phi_404_;
-            let _e229 = phi_405_;
-            phi_406_ = _e227;
-            phi_407_ = _e229;
+            let _e227 = phi_435_;
+            let _e229 = phi_436_;
+            phi_437_ = _e227;
+            phi_438_ = _e229;
         } else {
-            phi_406_ = f32();
-            phi_407_ = true;
+            phi_437_ = f32();
+            phi_438_ = true;
         }
-        let _e231 = phi_406_;
-        let _e233 = phi_407_;
+        let _e231 = phi_437_;
+        let _e233 = phi_438_;
         if _e233 {
-            phi_411_ = param_2;
+            phi_442_ = param_5;
         } else {
-            phi_411_ = _e231;
+            phi_442_ = _e231;
         }
-        let _e235 = phi_411_;
-        phi_459_ = (param_2 - _e235);
+        let _e235 = phi_442_;
+        phi_490_ = (param_5 - _e235);
     } else {
         if (_e208 == 1u) {
-            let _e238 = (param_2 * 0.5f);
+            let _e238 = (param_5 * 0.5f);
             if (_e238 > -8388608f) {
                 let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
                 if (_e250 > _e238) {
-                    phi_437_ = 1f;
+                    phi_468_ = 1f;
                 } else {
-                    phi_437_ = 0f;
+                    phi_468_ = 0f;
                 }
-                let _e253 = phi_437_;
+                let _e253 = phi_468_;
                 if (_e238 < 8388608f) {
-                    phi_442_ = (_e250 - _e253);
-                    phi_443_ = false;
+                    phi_473_ = (_e250 - _e253);
+                    phi_474_ = false;
                 } else {
-                    phi_442_ = f32();
-                    phi_443_ = true;
+                    phi_473_ = f32();
+                    phi_474_ = true;
                 }
-                let _e256 = phi_442_;
-                let _e258 = phi_443_;
-                phi_444_ = _e256;
-                phi_445_ = _e258;
+                let _e256 = phi_473_;
+                let _e258 = phi_474_;
+                phi_475_ = _e256;
+                phi_476_ = _e258;
             } else {
-                phi_444_ = f32();
-                phi_445_ = true;
+                phi_475_ = f32();
+                phi_476_ = true;
             }
-            let _e260 = phi_444_;
-            let _e262 = phi_445_;
+            let _e260 = phi_475_;
+            let _e262 = phi_476_;
             if _e262 {
-                phi_449_ = _e238;
+                phi_480_ = _e238;
             } else {
-                phi_449_ = _e260;
+                phi_480_ = _e260;
             }
-            let _e264 = phi_449_;
-            let _e266 = (param_2 - (2f * _e264));
+            let _e264 = phi_480_;
+            let _e266 = (param_5 - (2f * _e264));
             if (_e266 > 1f) {
-                phi_457_ = (2f - _e266);
+                phi_488_ = (2f - _e266);
             } else {
-                phi_457_ = _e266;
+                phi_488_ = _e266;
             }
-            let _e270 = phi_457_;
-            phi_458_ = _e270;
+            let _e270 = phi_488_;
+            phi_489_ = _e270;
         } else {
-            phi_458_ = param_2;
+            phi_489_ = param_5;
         }
-        let _e272 = phi_458_;
-        phi_459_ = _e272;
+        let _e272 = phi_489_;
+        phi_490_ = _e272;
     }
-    let _e274 = phi_459_;
+    let _e274 = phi_490_;
     if (_e274 > 0f) {
         if (_e274 < 1f) {
-            phi_468_ = _e274;
+            phi_499_ = _e274;
         } else {
-            phi_468_ = 1f;
+            phi_499_ = 1f;
         }
-        let _e278 = phi_468_;
-        phi_469_ = _e278;
+        let _e278 = phi_499_;
+        phi_500_ = _e278;
     } else {
-        phi_469_ = 0f;
+        phi_500_ = 0f;
     }
-    let _e280 = phi_469_;
+    let _e280 = phi_500_;
     let _e281 = (_e79 - 1u);
     let _e283 = (_e280 * f32(_e79));
     if _e83 {
         let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
         if (_e281 < _e290) {
-            phi_487_ = _e281;
+            phi_518_ = _e281;
         } else {
-            phi_487_ = _e290;
+            phi_518_ = _e290;
         }
-        let _e293 = phi_487_;
-        phi_526_ = texture_Axis(_e293, _e293, 0f);
+        let _e293 = phi_518_;
+        phi_557_ = texture_Axis(_e293, _e293, 0f);
     } else {
         let _e295 = (_e283 + 0.5f);
         let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
         if (_e79 < _e302) {
-            phi_501_ = _e79;
+            phi_532_ = _e79;
         } else {
-            phi_501_ = _e302;
+            phi_532_ = _e302;
         }
-        let _e305 = phi_501_;
+        let _e305 = phi_532_;
         if (_e208 == 0u) {
-            phi_508_ = _e281;
+            phi_539_ = _e281;
         } else {
-            phi_508_ = 0u;
+            phi_539_ = 0u;
         }
-        let _e310 = phi_508_;
+        let _e310 = phi_539_;
         if (_e208 == 0u) {
-            phi_513_ = 0u;
+            phi_544_ = 0u;
         } else {
-            phi_513_ = _e281;
+            phi_544_ = _e281;
         }
-        let _e313 = phi_513_;
+        let _e313 = phi_544_;
         if (_e305 == 0u) {
-            phi_519_ = _e310;
+            phi_550_ = _e310;
         } else {
-            phi_519_ = (_e305 - 1u);
+            phi_550_ = (_e305 - 1u);
         }
-        let _e317 = phi_519_;
+        let _e317 = phi_550_;
         if (_e305 > _e281) {
-            phi_524_ = _e313;
+            phi_555_ = _e313;
         } else {
-            phi_524_ = _e305;
+            phi_555_ = _e305;
         }
-        let _e320 = phi_524_;
-        phi_526_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
+        let _e320 = phi_555_;
+        phi_557_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
     }
-    let _e323 = phi_526_;
-    let _e327 = (*param).offset;
-    let _e334 = (*param).offset;
-    let _e341 = (*param).offset;
-    let _e348 = (*param).offset;
+    let _e323 = phi_557_;
+    let _e327 = (*param_3).offset;
+    let _e334 = (*param_3).offset;
+    let _e341 = (*param_3).offset;
+    let _e348 = (*param_3).offset;
     return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
-    var phi_593_: lt_bvh_traverse_Tree;
-    var phi_594_: bool;
-    var phi_595_: lt_bvh_traverse_Tree;
-    var phi_596_: bool;
-    var phi_601_: lt_bvh_traverse_Tree;
-
-    if (param_3.x < param_4) {
-        if (param_3.y < param_5) {
-            phi_593_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
-            phi_594_ = false;
-        } else {
-            phi_593_ = lt_bvh_traverse_Tree();
-            phi_594_ = true;
-        }
-        let _e83 = phi_593_;
-        let _e85 = phi_594_;
-        phi_595_ = _e83;
-        phi_596_ = _e85;
-    } else {
-        phi_595_ = lt_bvh_traverse_Tree();
-        phi_596_ = true;
-    }
-    let _e87 = phi_595_;
-    let _e89 = phi_596_;
-    if _e89 {
-        phi_601_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_601_ = _e87;
-    }
-    let _e94 = phi_601_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
 }
 
 fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {

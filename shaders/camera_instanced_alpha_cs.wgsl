@@ -1,3 +1,38 @@
+struct abi_CameraParams {
+    eye: vec3<f32>,
+    root: u32,
+    right: vec3<f32>,
+    pad0_: u32,
+    up: vec3<f32>,
+    pad1_: u32,
+    forward: vec3<f32>,
+    pad2_: u32,
+    size: vec2<u32>,
+    pad3_: vec2<u32>,
+}
+
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct texture_TextureView {
     offset: u32,
     size: u32,
@@ -13,7 +48,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_7 {
+struct type_28 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -25,7 +60,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_11 {
+struct type_32 {
     member: array<abi_Vertex>,
 }
 
@@ -40,12 +75,8 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_16 {
+struct type_36 {
     member: array<abi_Material>,
-}
-
-struct type_20 {
-    member: array<u32>,
 }
 
 struct texture_TexelQuad {
@@ -70,39 +101,8 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_36 {
+struct type_47 {
     member: array<lt_bvh_Instance>,
-}
-
-struct abi_CameraParams {
-    eye: vec3<f32>,
-    root: u32,
-    right: vec3<f32>,
-    pad0_: u32,
-    up: vec3<f32>,
-    pad1_: u32,
-    forward: vec3<f32>,
-    pad2_: u32,
-    size: vec2<u32>,
-    pad3_: vec2<u32>,
-}
-
-struct abi_Sample {
-    position: vec3<f32>,
-    magnitude: f32,
-    normal: vec3<f32>,
-    flags: u32,
-    shading_normal: vec3<f32>,
-    albedo: u32,
-}
-
-struct type_45 {
-    member: array<abi_Sample>,
-}
-
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -156,405 +156,405 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-@group(0) @binding(3) 
-var<storage> vertices: type_11;
-@group(0) @binding(4) 
-var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_32;
+@group(0) @binding(4) 
+var<storage> materials: type_36;
 @group(0) @binding(0) 
 var<uniform> p: type_53;
 @group(0) @binding(1) 
 var<storage> nodes: type_58;
 @group(0) @binding(2) 
-var<storage> triangles: type_7;
+var<storage> triangles: type_28;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_45;
+var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_36;
+var<storage> instances: type_47;
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_20;
+var<storage> alpha_texels: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_245_: f32;
-    var phi_250_: f32;
-    var phi_251_: bool;
-    var phi_252_: f32;
-    var phi_253_: bool;
-    var phi_257_: f32;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_223_: lt_bvh_traverse_Tree;
+    var phi_224_: bool;
+    var phi_225_: lt_bvh_traverse_Tree;
+    var phi_226_: bool;
+    var phi_231_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_223_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_224_ = false;
+        } else {
+            phi_223_ = lt_bvh_traverse_Tree();
+            phi_224_ = true;
+        }
+        let _e82 = phi_223_;
+        let _e84 = phi_224_;
+        phi_225_ = _e82;
+        phi_226_ = _e84;
+    } else {
+        phi_225_ = lt_bvh_traverse_Tree();
+        phi_226_ = true;
+    }
+    let _e86 = phi_225_;
+    let _e88 = phi_226_;
+    if _e88 {
+        phi_231_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_231_ = _e86;
+    }
+    let _e93 = phi_231_;
+    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_276_: f32;
+    var phi_281_: f32;
+    var phi_282_: bool;
     var phi_283_: f32;
+    var phi_284_: bool;
     var phi_288_: f32;
-    var phi_289_: bool;
-    var phi_290_: f32;
-    var phi_291_: bool;
-    var phi_295_: f32;
-    var phi_303_: f32;
-    var phi_304_: f32;
-    var phi_305_: f32;
     var phi_314_: f32;
-    var phi_315_: f32;
-    var phi_333_: u32;
-    var phi_347_: u32;
-    var phi_354_: u32;
-    var phi_359_: u32;
-    var phi_365_: u32;
-    var phi_370_: u32;
-    var phi_372_: texture_Axis;
-    var phi_400_: f32;
-    var phi_405_: f32;
-    var phi_406_: bool;
-    var phi_407_: f32;
-    var phi_408_: bool;
-    var phi_412_: f32;
+    var phi_319_: f32;
+    var phi_320_: bool;
+    var phi_321_: f32;
+    var phi_322_: bool;
+    var phi_326_: f32;
+    var phi_334_: f32;
+    var phi_335_: f32;
+    var phi_336_: f32;
+    var phi_345_: f32;
+    var phi_346_: f32;
+    var phi_364_: u32;
+    var phi_378_: u32;
+    var phi_385_: u32;
+    var phi_390_: u32;
+    var phi_396_: u32;
+    var phi_401_: u32;
+    var phi_403_: texture_Axis;
+    var phi_431_: f32;
+    var phi_436_: f32;
+    var phi_437_: bool;
     var phi_438_: f32;
+    var phi_439_: bool;
     var phi_443_: f32;
-    var phi_444_: bool;
-    var phi_445_: f32;
-    var phi_446_: bool;
-    var phi_450_: f32;
-    var phi_458_: f32;
-    var phi_459_: f32;
-    var phi_460_: f32;
     var phi_469_: f32;
-    var phi_470_: f32;
-    var phi_488_: u32;
-    var phi_502_: u32;
-    var phi_509_: u32;
-    var phi_514_: u32;
-    var phi_520_: u32;
-    var phi_525_: u32;
-    var phi_527_: texture_Axis;
+    var phi_474_: f32;
+    var phi_475_: bool;
+    var phi_476_: f32;
+    var phi_477_: bool;
+    var phi_481_: f32;
+    var phi_489_: f32;
+    var phi_490_: f32;
+    var phi_491_: f32;
+    var phi_500_: f32;
+    var phi_501_: f32;
+    var phi_519_: u32;
+    var phi_533_: u32;
+    var phi_540_: u32;
+    var phi_545_: u32;
+    var phi_551_: u32;
+    var phi_556_: u32;
+    var phi_558_: texture_Axis;
 
-    let _e73 = (*param).size;
+    let _e73 = (*param_3).size;
     let _e74 = (_e73 & 65535u);
-    let _e76 = (*param).size;
+    let _e76 = (*param_3).size;
     let _e78 = (_e76 >> bitcast<u32>(16i));
-    let _e80 = (*param).flags;
+    let _e80 = (*param_3).flags;
     let _e82 = ((_e80 & 4u) != 0u);
-    let _e84 = (*param).flags;
+    let _e84 = (*param_3).flags;
     let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
     if (_e87 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e100 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e100 > param_1) {
-                phi_245_ = 1f;
+        if (param_4 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e100 > param_4) {
+                phi_276_ = 1f;
             } else {
-                phi_245_ = 0f;
+                phi_276_ = 0f;
             }
-            let _e103 = phi_245_;
-            if (param_1 < 8388608f) {
-                phi_250_ = (_e100 - _e103);
-                phi_251_ = false;
+            let _e103 = phi_276_;
+            if (param_4 < 8388608f) {
+                phi_281_ = (_e100 - _e103);
+                phi_282_ = false;
             } else {
-                phi_250_ = f32();
-                phi_251_ = true;
+                phi_281_ = f32();
+                phi_282_ = true;
             }
-            let _e106 = phi_250_;
-            let _e108 = phi_251_;
-            phi_252_ = _e106;
-            phi_253_ = _e108;
+            let _e106 = phi_281_;
+            let _e108 = phi_282_;
+            phi_283_ = _e106;
+            phi_284_ = _e108;
         } else {
-            phi_252_ = f32();
-            phi_253_ = true;
+            phi_283_ = f32();
+            phi_284_ = true;
         }
-        let _e110 = phi_252_;
-        let _e112 = phi_253_;
+        let _e110 = phi_283_;
+        let _e112 = phi_284_;
         if _e112 {
-            phi_257_ = param_1;
+            phi_288_ = param_4;
         } else {
-            phi_257_ = _e110;
+            phi_288_ = _e110;
         }
-        let _e114 = phi_257_;
-        phi_305_ = (param_1 - _e114);
+        let _e114 = phi_288_;
+        phi_336_ = (param_4 - _e114);
     } else {
         if (_e87 == 1u) {
-            let _e117 = (param_1 * 0.5f);
+            let _e117 = (param_4 * 0.5f);
             if (_e117 > -8388608f) {
                 let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
                 if (_e129 > _e117) {
-                    phi_283_ = 1f;
+                    phi_314_ = 1f;
                 } else {
-                    phi_283_ = 0f;
+                    phi_314_ = 0f;
                 }
-                let _e132 = phi_283_;
+                let _e132 = phi_314_;
                 if (_e117 < 8388608f) {
-                    phi_288_ = (_e129 - _e132);
-                    phi_289_ = false;
+                    phi_319_ = (_e129 - _e132);
+                    phi_320_ = false;
                 } else {
-                    phi_288_ = f32();
-                    phi_289_ = true;
+                    phi_319_ = f32();
+                    phi_320_ = true;
                 }
-                let _e135 = phi_288_;
-                let _e137 = phi_289_;
-                phi_290_ = _e135;
-                phi_291_ = _e137;
+                let _e135 = phi_319_;
+                let _e137 = phi_320_;
+                phi_321_ = _e135;
+                phi_322_ = _e137;
             } else {
-                phi_290_ = f32();
-                phi_291_ = true;
+                phi_321_ = f32();
+                phi_322_ = true;
             }
-            let _e139 = phi_290_;
-            let _e141 = phi_291_;
+            let _e139 = phi_321_;
+            let _e141 = phi_322_;
             if _e141 {
-                phi_295_ = _e117;
+                phi_326_ = _e117;
             } else {
-                phi_295_ = _e139;
+                phi_326_ = _e139;
             }
-            let _e143 = phi_295_;
-            let _e145 = (param_1 - (2f * _e143));
+            let _e143 = phi_326_;
+            let _e145 = (param_4 - (2f * _e143));
             if (_e145 > 1f) {
-                phi_303_ = (2f - _e145);
+                phi_334_ = (2f - _e145);
             } else {
-                phi_303_ = _e145;
+                phi_334_ = _e145;
             }
-            let _e149 = phi_303_;
-            phi_304_ = _e149;
+            let _e149 = phi_334_;
+            phi_335_ = _e149;
         } else {
-            phi_304_ = param_1;
+            phi_335_ = param_4;
         }
-        let _e151 = phi_304_;
-        phi_305_ = _e151;
+        let _e151 = phi_335_;
+        phi_336_ = _e151;
     }
-    let _e153 = phi_305_;
+    let _e153 = phi_336_;
     if (_e153 > 0f) {
         if (_e153 < 1f) {
-            phi_314_ = _e153;
+            phi_345_ = _e153;
         } else {
-            phi_314_ = 1f;
+            phi_345_ = 1f;
         }
-        let _e157 = phi_314_;
-        phi_315_ = _e157;
+        let _e157 = phi_345_;
+        phi_346_ = _e157;
     } else {
-        phi_315_ = 0f;
+        phi_346_ = 0f;
     }
-    let _e159 = phi_315_;
+    let _e159 = phi_346_;
     let _e160 = (_e74 - 1u);
     let _e162 = (_e159 * f32(_e74));
     if _e82 {
         let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
         if (_e160 < _e169) {
-            phi_333_ = _e160;
+            phi_364_ = _e160;
         } else {
-            phi_333_ = _e169;
+            phi_364_ = _e169;
         }
-        let _e172 = phi_333_;
-        phi_372_ = texture_Axis(_e172, _e172, 0f);
+        let _e172 = phi_364_;
+        phi_403_ = texture_Axis(_e172, _e172, 0f);
     } else {
         let _e174 = (_e162 + 0.5f);
         let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
         if (_e74 < _e181) {
-            phi_347_ = _e74;
+            phi_378_ = _e74;
         } else {
-            phi_347_ = _e181;
+            phi_378_ = _e181;
         }
-        let _e184 = phi_347_;
+        let _e184 = phi_378_;
         if (_e87 == 0u) {
-            phi_354_ = _e160;
+            phi_385_ = _e160;
         } else {
-            phi_354_ = 0u;
+            phi_385_ = 0u;
         }
-        let _e189 = phi_354_;
+        let _e189 = phi_385_;
         if (_e87 == 0u) {
-            phi_359_ = 0u;
+            phi_390_ = 0u;
         } else {
-            phi_359_ = _e160;
+            phi_390_ = _e160;
         }
-        let _e192 = phi_359_;
+        let _e192 = phi_390_;
         if (_e184 == 0u) {
-            phi_365_ = _e189;
+            phi_396_ = _e189;
         } else {
-            phi_365_ = (_e184 - 1u);
+            phi_396_ = (_e184 - 1u);
         }
-        let _e196 = phi_365_;
+        let _e196 = phi_396_;
         if (_e184 > _e160) {
-            phi_370_ = _e192;
+            phi_401_ = _e192;
         } else {
-            phi_370_ = _e184;
+            phi_401_ = _e184;
         }
-        let _e199 = phi_370_;
-        phi_372_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
+        let _e199 = phi_401_;
+        phi_403_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e202 = phi_372_;
-    let _e204 = (*param).flags;
+    let _e202 = phi_403_;
+    let _e204 = (*param_3).flags;
     let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
     if (_e207 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e220 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e220 > param_2) {
-                phi_400_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e220 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e220 > param_5) {
+                phi_431_ = 1f;
             } else {
-                phi_400_ = 0f;
+                phi_431_ = 0f;
             }
-            let _e223 = phi_400_;
-            if (param_2 < 8388608f) {
-                phi_405_ = (_e220 - _e223);
-                phi_406_ = false;
+            let _e223 = phi_431_;
+            if (param_5 < 8388608f) {
+                phi_436_ = (_e220 - _e223);
+                phi_437_ = false;
             } else {
-                phi_405_ = f32();
-                phi_406_ = true;
+                phi_436_ = f32();
+                phi_437_ = true;
             }
-            let _e226 = phi_405_;
-            let _e228 = phi_406_;
-            phi_407_ = _e226;
-            phi_408_ = _e228;
+            let _e226 = phi_436_;
+            let _e228 = phi_437_;
+            phi_438_ = _e226;
+            phi_439_ = _e228;
         } else {
-            phi_407_ = f32();
-            phi_408_ = true;
+            phi_438_ = f32();
+            phi_439_ = true;
         }
-        let _e230 = phi_407_;
-        let _e232 = phi_408_;
+        let _e230 = phi_438_;
+        let _e232 = phi_439_;
         if _e232 {
-            phi_412_ = param_2;
+            phi_443_ = param_5;
         } else {
-            phi_412_ = _e230;
+            phi_443_ = _e230;
         }
-        let _e234 = phi_412_;
-        phi_460_ = (param_2 - _e234);
+        let _e234 = phi_443_;
+        phi_491_ = (param_5 - _e234);
     } else {
         if (_e207 == 1u) {
-            let _e237 = (param_2 * 0.5f);
+            let _e237 = (param_5 * 0.5f);
             if (_e237 > -8388608f) {
                 let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
                 if (_e249 > _e237) {
-                    phi_438_ = 1f;
+                    phi_469_ = 1f;
                 } else {
-                    phi_438_ = 0f;
+                    phi_469_ = 0f;
                 }
-                let _e252 = phi_438_;
+                let _e252 = phi_469_;
                 if (_e237 < 8388608f) {
-                    phi_443_ = (_e249 - _e252);
-                    phi_444_ = false;
+                    phi_474_ = (_e249 - _e252);
+                    phi_475_ = false;
                 } else {
-                    phi_443_ = f32();
-                    phi_444_ = true;
+                    phi_474_ = f32();
+                    phi_475_ = true;
                 }
-                let _e255 = phi_443_;
-                let _e257 = phi_444_;
-                phi_445_ = _e255;
-                phi_446_ = _e257;
+                let _e255 = phi_474_;
+                let _e257 = phi_475_;
+                phi_476_ = _e255;
+                phi_477_ = _e257;
             } else {
-                phi_445_ = f32();
-                phi_446_ = true;
+                phi_476_ = f32();
+                phi_477_ = true;
             }
-            let _e259 = phi_445_;
-            let _e261 = phi_446_;
+            let _e259 = phi_476_;
+            let _e261 = phi_477_;
             if _e261 {
-                phi_450_ = _e237;
+                phi_481_ = _e237;
             } else {
-                phi_450_ = _e259;
+                phi_481_ = _e259;
             }
-            let _e263 = phi_450_;
-            let _e265 = (param_2 - (2f * _e263));
+            let _e263 = phi_481_;
+            let _e265 = (param_5 - (2f * _e263));
             if (_e265 > 1f) {
-                phi_458_ = (2f - _e265);
+                phi_489_ = (2f - _e265);
             } else {
-                phi_458_ = _e265;
+                phi_489_ = _e265;
             }
-            let _e269 = phi_458_;
-            phi_459_ = _e269;
+            let _e269 = phi_489_;
+            phi_490_ = _e269;
         } else {
-            phi_459_ = param_2;
+            phi_490_ = param_5;
         }
-        let _e271 = phi_459_;
-        phi_460_ = _e271;
+        let _e271 = phi_490_;
+        phi_491_ = _e271;
     }
-    let _e273 = phi_460_;
+    let _e273 = phi_491_;
     if (_e273 > 0f) {
         if (_e273 < 1f) {
-            phi_469_ = _e273;
+            phi_500_ = _e273;
         } else {
-            phi_469_ = 1f;
+            phi_500_ = 1f;
         }
-        let _e277 = phi_469_;
-        phi_470_ = _e277;
+        let _e277 = phi_500_;
+        phi_501_ = _e277;
     } else {
-        phi_470_ = 0f;
+        phi_501_ = 0f;
     }
-    let _e279 = phi_470_;
+    let _e279 = phi_501_;
     let _e280 = (_e78 - 1u);
     let _e282 = (_e279 * f32(_e78));
     if _e82 {
         let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
         if (_e280 < _e289) {
-            phi_488_ = _e280;
+            phi_519_ = _e280;
         } else {
-            phi_488_ = _e289;
+            phi_519_ = _e289;
         }
-        let _e292 = phi_488_;
-        phi_527_ = texture_Axis(_e292, _e292, 0f);
+        let _e292 = phi_519_;
+        phi_558_ = texture_Axis(_e292, _e292, 0f);
     } else {
         let _e294 = (_e282 + 0.5f);
         let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
         if (_e78 < _e301) {
-            phi_502_ = _e78;
+            phi_533_ = _e78;
         } else {
-            phi_502_ = _e301;
+            phi_533_ = _e301;
         }
-        let _e304 = phi_502_;
+        let _e304 = phi_533_;
         if (_e207 == 0u) {
-            phi_509_ = _e280;
+            phi_540_ = _e280;
         } else {
-            phi_509_ = 0u;
+            phi_540_ = 0u;
         }
-        let _e309 = phi_509_;
+        let _e309 = phi_540_;
         if (_e207 == 0u) {
-            phi_514_ = 0u;
+            phi_545_ = 0u;
         } else {
-            phi_514_ = _e280;
+            phi_545_ = _e280;
         }
-        let _e312 = phi_514_;
+        let _e312 = phi_545_;
         if (_e304 == 0u) {
-            phi_520_ = _e309;
+            phi_551_ = _e309;
         } else {
-            phi_520_ = (_e304 - 1u);
+            phi_551_ = (_e304 - 1u);
         }
-        let _e316 = phi_520_;
+        let _e316 = phi_551_;
         if (_e304 > _e280) {
-            phi_525_ = _e312;
+            phi_556_ = _e312;
         } else {
-            phi_525_ = _e304;
+            phi_556_ = _e304;
         }
-        let _e319 = phi_525_;
-        phi_527_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+        let _e319 = phi_556_;
+        phi_558_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
     }
-    let _e322 = phi_527_;
-    let _e326 = (*param).offset;
-    let _e333 = (*param).offset;
-    let _e340 = (*param).offset;
-    let _e347 = (*param).offset;
+    let _e322 = phi_558_;
+    let _e326 = (*param_3).offset;
+    let _e333 = (*param_3).offset;
+    let _e340 = (*param_3).offset;
+    let _e347 = (*param_3).offset;
     return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
-    var phi_594_: lt_bvh_traverse_Tree;
-    var phi_595_: bool;
-    var phi_596_: lt_bvh_traverse_Tree;
-    var phi_597_: bool;
-    var phi_602_: lt_bvh_traverse_Tree;
-
-    if (param_3.x < param_4) {
-        if (param_3.y < param_5) {
-            phi_594_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
-            phi_595_ = false;
-        } else {
-            phi_594_ = lt_bvh_traverse_Tree();
-            phi_595_ = true;
-        }
-        let _e82 = phi_594_;
-        let _e84 = phi_595_;
-        phi_596_ = _e82;
-        phi_597_ = _e84;
-    } else {
-        phi_596_ = lt_bvh_traverse_Tree();
-        phi_597_ = true;
-    }
-    let _e86 = phi_596_;
-    let _e88 = phi_597_;
-    if _e88 {
-        phi_602_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_602_ = _e86;
-    }
-    let _e93 = phi_602_;
-    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
 }
 
 fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {

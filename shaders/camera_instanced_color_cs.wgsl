@@ -1,3 +1,38 @@
+struct abi_CameraParams {
+    eye: vec3<f32>,
+    root: u32,
+    right: vec3<f32>,
+    pad0_: u32,
+    up: vec3<f32>,
+    pad1_: u32,
+    forward: vec3<f32>,
+    pad2_: u32,
+    size: vec2<u32>,
+    pad3_: vec2<u32>,
+}
+
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct texture_TextureView {
     offset: u32,
     size: u32,
@@ -13,7 +48,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_7 {
+struct type_28 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -25,7 +60,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_11 {
+struct type_32 {
     member: array<abi_Vertex>,
 }
 
@@ -40,12 +75,8 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_16 {
+struct type_36 {
     member: array<abi_Material>,
-}
-
-struct type_20 {
-    member: array<u32>,
 }
 
 struct texture_TexelQuad {
@@ -70,39 +101,8 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_36 {
+struct type_47 {
     member: array<lt_bvh_Instance>,
-}
-
-struct abi_CameraParams {
-    eye: vec3<f32>,
-    root: u32,
-    right: vec3<f32>,
-    pad0_: u32,
-    up: vec3<f32>,
-    pad1_: u32,
-    forward: vec3<f32>,
-    pad2_: u32,
-    size: vec2<u32>,
-    pad3_: vec2<u32>,
-}
-
-struct abi_Sample {
-    position: vec3<f32>,
-    magnitude: f32,
-    normal: vec3<f32>,
-    flags: u32,
-    shading_normal: vec3<f32>,
-    albedo: u32,
-}
-
-struct type_45 {
-    member: array<abi_Sample>,
-}
-
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -156,405 +156,405 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-@group(0) @binding(3) 
-var<storage> vertices: type_11;
-@group(0) @binding(4) 
-var<storage> materials: type_16;
 var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_32;
+@group(0) @binding(4) 
+var<storage> materials: type_36;
 @group(0) @binding(0) 
 var<uniform> p: type_53;
 @group(0) @binding(1) 
 var<storage> nodes: type_58;
 @group(0) @binding(2) 
-var<storage> triangles: type_7;
+var<storage> triangles: type_28;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_45;
+var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_36;
+var<storage> instances: type_47;
 @group(0) @binding(7) 
-var<storage> color_texels: type_20;
+var<storage> color_texels: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_238_: f32;
-    var phi_243_: f32;
-    var phi_244_: bool;
-    var phi_245_: f32;
-    var phi_246_: bool;
-    var phi_250_: f32;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_216_: lt_bvh_traverse_Tree;
+    var phi_217_: bool;
+    var phi_218_: lt_bvh_traverse_Tree;
+    var phi_219_: bool;
+    var phi_224_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_216_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_217_ = false;
+        } else {
+            phi_216_ = lt_bvh_traverse_Tree();
+            phi_217_ = true;
+        }
+        let _e82 = phi_216_;
+        let _e84 = phi_217_;
+        phi_218_ = _e82;
+        phi_219_ = _e84;
+    } else {
+        phi_218_ = lt_bvh_traverse_Tree();
+        phi_219_ = true;
+    }
+    let _e86 = phi_218_;
+    let _e88 = phi_219_;
+    if _e88 {
+        phi_224_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_224_ = _e86;
+    }
+    let _e93 = phi_224_;
+    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_269_: f32;
+    var phi_274_: f32;
+    var phi_275_: bool;
     var phi_276_: f32;
+    var phi_277_: bool;
     var phi_281_: f32;
-    var phi_282_: bool;
-    var phi_283_: f32;
-    var phi_284_: bool;
-    var phi_288_: f32;
-    var phi_296_: f32;
-    var phi_297_: f32;
-    var phi_298_: f32;
     var phi_307_: f32;
-    var phi_308_: f32;
-    var phi_326_: u32;
-    var phi_340_: u32;
-    var phi_347_: u32;
-    var phi_352_: u32;
-    var phi_358_: u32;
-    var phi_363_: u32;
-    var phi_365_: texture_Axis;
-    var phi_393_: f32;
-    var phi_398_: f32;
-    var phi_399_: bool;
-    var phi_400_: f32;
-    var phi_401_: bool;
-    var phi_405_: f32;
+    var phi_312_: f32;
+    var phi_313_: bool;
+    var phi_314_: f32;
+    var phi_315_: bool;
+    var phi_319_: f32;
+    var phi_327_: f32;
+    var phi_328_: f32;
+    var phi_329_: f32;
+    var phi_338_: f32;
+    var phi_339_: f32;
+    var phi_357_: u32;
+    var phi_371_: u32;
+    var phi_378_: u32;
+    var phi_383_: u32;
+    var phi_389_: u32;
+    var phi_394_: u32;
+    var phi_396_: texture_Axis;
+    var phi_424_: f32;
+    var phi_429_: f32;
+    var phi_430_: bool;
     var phi_431_: f32;
+    var phi_432_: bool;
     var phi_436_: f32;
-    var phi_437_: bool;
-    var phi_438_: f32;
-    var phi_439_: bool;
-    var phi_443_: f32;
-    var phi_451_: f32;
-    var phi_452_: f32;
-    var phi_453_: f32;
     var phi_462_: f32;
-    var phi_463_: f32;
-    var phi_481_: u32;
-    var phi_495_: u32;
-    var phi_502_: u32;
-    var phi_507_: u32;
-    var phi_513_: u32;
-    var phi_518_: u32;
-    var phi_520_: texture_Axis;
+    var phi_467_: f32;
+    var phi_468_: bool;
+    var phi_469_: f32;
+    var phi_470_: bool;
+    var phi_474_: f32;
+    var phi_482_: f32;
+    var phi_483_: f32;
+    var phi_484_: f32;
+    var phi_493_: f32;
+    var phi_494_: f32;
+    var phi_512_: u32;
+    var phi_526_: u32;
+    var phi_533_: u32;
+    var phi_538_: u32;
+    var phi_544_: u32;
+    var phi_549_: u32;
+    var phi_551_: texture_Axis;
 
-    let _e73 = (*param).size;
+    let _e73 = (*param_3).size;
     let _e74 = (_e73 & 65535u);
-    let _e76 = (*param).size;
+    let _e76 = (*param_3).size;
     let _e78 = (_e76 >> bitcast<u32>(16i));
-    let _e80 = (*param).flags;
+    let _e80 = (*param_3).flags;
     let _e82 = ((_e80 & 4u) != 0u);
-    let _e84 = (*param).flags;
+    let _e84 = (*param_3).flags;
     let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
     if (_e87 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e100 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e100 > param_1) {
-                phi_238_ = 1f;
+        if (param_4 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e100 > param_4) {
+                phi_269_ = 1f;
             } else {
-                phi_238_ = 0f;
+                phi_269_ = 0f;
             }
-            let _e103 = phi_238_;
-            if (param_1 < 8388608f) {
-                phi_243_ = (_e100 - _e103);
-                phi_244_ = false;
+            let _e103 = phi_269_;
+            if (param_4 < 8388608f) {
+                phi_274_ = (_e100 - _e103);
+                phi_275_ = false;
             } else {
-                phi_243_ = f32();
-                phi_244_ = true;
+                phi_274_ = f32();
+                phi_275_ = true;
             }
-            let _e106 = phi_243_;
-            let _e108 = phi_244_;
-            phi_245_ = _e106;
-            phi_246_ = _e108;
+            let _e106 = phi_274_;
+            let _e108 = phi_275_;
+            phi_276_ = _e106;
+            phi_277_ = _e108;
         } else {
-            phi_245_ = f32();
-            phi_246_ = true;
+            phi_276_ = f32();
+            phi_277_ = true;
         }
-        let _e110 = phi_245_;
-        let _e112 = phi_246_;
+        let _e110 = phi_276_;
+        let _e112 = phi_277_;
         if _e112 {
-            phi_250_ = param_1;
+            phi_281_ = param_4;
         } else {
-            phi_250_ = _e110;
+            phi_281_ = _e110;
         }
-        let _e114 = phi_250_;
-        phi_298_ = (param_1 - _e114);
+        let _e114 = phi_281_;
+        phi_329_ = (param_4 - _e114);
     } else {
         if (_e87 == 1u) {
-            let _e117 = (param_1 * 0.5f);
+            let _e117 = (param_4 * 0.5f);
             if (_e117 > -8388608f) {
                 let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
                 if (_e129 > _e117) {
-                    phi_276_ = 1f;
+                    phi_307_ = 1f;
                 } else {
-                    phi_276_ = 0f;
+                    phi_307_ = 0f;
                 }
-                let _e132 = phi_276_;
+                let _e132 = phi_307_;
                 if (_e117 < 8388608f) {
-                    phi_281_ = (_e129 - _e132);
-                    phi_282_ = false;
+                    phi_312_ = (_e129 - _e132);
+                    phi_313_ = false;
                 } else {
-                    phi_281_ = f32();
-                    phi_282_ = true;
+                    phi_312_ = f32();
+                    phi_313_ = true;
                 }
-                let _e135 = phi_281_;
-                let _e137 = phi_282_;
-                phi_283_ = _e135;
-                phi_284_ = _e137;
+                let _e135 = phi_312_;
+                let _e137 = phi_313_;
+                phi_314_ = _e135;
+                phi_315_ = _e137;
             } else {
-                phi_283_ = f32();
-                phi_284_ = true;
+                phi_314_ = f32();
+                phi_315_ = true;
             }
-            let _e139 = phi_283_;
-            let _e141 = phi_284_;
+            let _e139 = phi_314_;
+            let _e141 = phi_315_;
             if _e141 {
-                phi_288_ = _e117;
+                phi_319_ = _e117;
             } else {
-                phi_288_ = _e139;
+                phi_319_ = _e139;
             }
-            let _e143 = phi_288_;
-            let _e145 = (param_1 - (2f * _e143));
+            let _e143 = phi_319_;
+            let _e145 = (param_4 - (2f * _e143));
             if (_e145 > 1f) {
-                phi_296_ = (2f - _e145);
+                phi_327_ = (2f - _e145);
             } else {
-                phi_296_ = _e145;
+                phi_327_ = _e145;
             }
-            let _e149 = phi_296_;
-            phi_297_ = _e149;
+            let _e149 = phi_327_;
+            phi_328_ = _e149;
         } else {
-            phi_297_ = param_1;
+            phi_328_ = param_4;
         }
-        let _e151 = phi_297_;
-        phi_298_ = _e151;
+        let _e151 = phi_328_;
+        phi_329_ = _e151;
     }
-    let _e153 = phi_298_;
+    let _e153 = phi_329_;
     if (_e153 > 0f) {
         if (_e153 < 1f) {
-            phi_307_ = _e153;
+            phi_338_ = _e153;
         } else {
-            phi_307_ = 1f;
+            phi_338_ = 1f;
         }
-        let _e157 = phi_307_;
-        phi_308_ = _e157;
+        let _e157 = phi_338_;
+        phi_339_ = _e157;
     } else {
-        phi_308_ = 0f;
+        phi_339_ = 0f;
     }
-    let _e159 = phi_308_;
+    let _e159 = phi_339_;
     let _e160 = (_e74 - 1u);
     let _e162 = (_e159 * f32(_e74));
     if _e82 {
         let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
         if (_e160 < _e169) {
-            phi_326_ = _e160;
+            phi_357_ = _e160;
         } else {
-            phi_326_ = _e169;
+            phi_357_ = _e169;
         }
-        let _e172 = phi_326_;
-        phi_365_ = texture_Axis(_e172, _e172, 0f);
+        let _e172 = phi_357_;
+        phi_396_ = texture_Axis(_e172, _e172, 0f);
     } else {
         let _e174 = (_e162 + 0.5f);
         let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
         if (_e74 < _e181) {
-            phi_340_ = _e74;
+            phi_371_ = _e74;
         } else {
-            phi_340_ = _e181;
+            phi_371_ = _e181;
         }
-        let _e184 = phi_340_;
+        let _e184 = phi_371_;
         if (_e87 == 0u) {
-            phi_347_ = _e160;
+            phi_378_ = _e160;
         } else {
-            phi_347_ = 0u;
+            phi_378_ = 0u;
         }
-        let _e189 = phi_347_;
+        let _e189 = phi_378_;
         if (_e87 == 0u) {
-            phi_352_ = 0u;
+            phi_383_ = 0u;
         } else {
-            phi_352_ = _e160;
+            phi_383_ = _e160;
         }
-        let _e192 = phi_352_;
+        let _e192 = phi_383_;
         if (_e184 == 0u) {
-            phi_358_ = _e189;
+            phi_389_ = _e189;
         } else {
-            phi_358_ = (_e184 - 1u);
+            phi_389_ = (_e184 - 1u);
         }
-        let _e196 = phi_358_;
+        let _e196 = phi_389_;
         if (_e184 > _e160) {
-            phi_363_ = _e192;
+            phi_394_ = _e192;
         } else {
-            phi_363_ = _e184;
+            phi_394_ = _e184;
         }
-        let _e199 = phi_363_;
-        phi_365_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
+        let _e199 = phi_394_;
+        phi_396_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e202 = phi_365_;
-    let _e204 = (*param).flags;
+    let _e202 = phi_396_;
+    let _e204 = (*param_3).flags;
     let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
     if (_e207 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e220 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e220 > param_2) {
-                phi_393_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e220 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e220 > param_5) {
+                phi_424_ = 1f;
             } else {
-                phi_393_ = 0f;
+                phi_424_ = 0f;
             }
-            let _e223 = phi_393_;
-            if (param_2 < 8388608f) {
-                phi_398_ = (_e220 - _e223);
-                phi_399_ = false;
+            let _e223 = phi_424_;
+            if (param_5 < 8388608f) {
+                phi_429_ = (_e220 - _e223);
+                phi_430_ = false;
             } else {
-                phi_398_ = f32();
-                phi_399_ = true;
+                phi_429_ = f32();
+                phi_430_ = true;
             }
-            let _e226 = phi_398_;
-            let _e228 = phi_399_;
-            phi_400_ = _e226;
-            phi_401_ = _e228;
+            let _e226 = phi_429_;
+            let _e228 = phi_430_;
+            phi_431_ = _e226;
+            phi_432_ = _e228;
         } else {
-            phi_400_ = f32();
-            phi_401_ = true;
+            phi_431_ = f32();
+            phi_432_ = true;
         }
-        let _e230 = phi_400_;
-        let _e232 = phi_401_;
+        let _e230 = phi_431_;
+        let _e232 = phi_432_;
         if _e232 {
-            phi_405_ = param_2;
+            phi_436_ = param_5;
         } else {
-            phi_405_ = _e230;
+            phi_436_ = _e230;
         }
-        let _e234 = phi_405_;
-        phi_453_ = (param_2 - _e234);
+        let _e234 = phi_436_;
+        phi_484_ = (param_5 - _e234);
     } else {
         if (_e207 == 1u) {
-            let _e237 = (param_2 * 0.5f);
+            let _e237 = (param_5 * 0.5f);
             if (_e237 > -8388608f) {
                 let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
                 if (_e249 > _e237) {
-                    phi_431_ = 1f;
+                    phi_462_ = 1f;
                 } else {
-                    phi_431_ = 0f;
+                    phi_462_ = 0f;
                 }
-                let _e252 = phi_431_;
+                let _e252 = phi_462_;
                 if (_e237 < 8388608f) {
-                    phi_436_ = (_e249 - _e252);
-                    phi_437_ = false;
+                    phi_467_ = (_e249 - _e252);
+                    phi_468_ = false;
                 } else {
-                    phi_436_ = f32();
-                    phi_437_ = true;
+                    phi_467_ = f32();
+                    phi_468_ = true;
                 }
-                let _e255 = phi_436_;
-                let _e257 = phi_437_;
-                phi_438_ = _e255;
-                phi_439_ = _e257;
+                let _e255 = phi_467_;
+                let _e257 = phi_468_;
+                phi_469_ = _e255;
+                phi_470_ = _e257;
             } else {
-                phi_438_ = f32();
-                phi_439_ = true;
+                phi_469_ = f32();
+                phi_470_ = true;
             }
-            let _e259 = phi_438_;
-            let _e261 = phi_439_;
+            let _e259 = phi_469_;
+            let _e261 = phi_470_;
             if _e261 {
-                phi_443_ = _e237;
+                phi_474_ = _e237;
             } else {
-                phi_443_ = _e259;
+                phi_474_ = _e259;
             }
-            let _e263 = phi_443_;
-            let _e265 = (param_2 - (2f * _e263));
+            let _e263 = phi_474_;
+            let _e265 = (param_5 - (2f * _e263));
             if (_e265 > 1f) {
-                phi_451_ = (2f - _e265);
+                phi_482_ = (2f - _e265);
             } else {
-                phi_451_ = _e265;
+                phi_482_ = _e265;
             }
-            let _e269 = phi_451_;
-            phi_452_ = _e269;
+            let _e269 = phi_482_;
+            phi_483_ = _e269;
         } else {
-            phi_452_ = param_2;
+            phi_483_ = param_5;
         }
-        let _e271 = phi_452_;
-        phi_453_ = _e271;
+        let _e271 = phi_483_;
+        phi_484_ = _e271;
     }
-    let _e273 = phi_453_;
+    let _e273 = phi_484_;
     if (_e273 > 0f) {
         if (_e273 < 1f) {
-            phi_462_ = _e273;
+            phi_493_ = _e273;
         } else {
-            phi_462_ = 1f;
+            phi_493_ = 1f;
         }
-        let _e277 = phi_462_;
-        phi_463_ = _e277;
+        let _e277 = phi_493_;
+        phi_494_ = _e277;
     } else {
-        phi_463_ = 0f;
+        phi_494_ = 0f;
     }
-    let _e279 = phi_463_;
+    let _e279 = phi_494_;
     let _e280 = (_e78 - 1u);
     let _e282 = (_e279 * f32(_e78));
     if _e82 {
         let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
         if (_e280 < _e289) {
-            phi_481_ = _e280;
+            phi_512_ = _e280;
         } else {
-            phi_481_ = _e289;
+            phi_512_ = _e289;
         }
-        let _e292 = phi_481_;
-        phi_520_ = texture_Axis(_e292, _e292, 0f);
+        let _e292 = phi_512_;
+        phi_551_ = texture_Axis(_e292, _e292, 0f);
     } else {
         let _e294 = (_e282 + 0.5f);
         let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
         if (_e78 < _e301) {
-            phi_495_ = _e78;
+            phi_526_ = _e78;
         } else {
-            phi_495_ = _e301;
+            phi_526_ = _e301;
         }
-        let _e304 = phi_495_;
+        let _e304 = phi_526_;
         if (_e207 == 0u) {
-            phi_502_ = _e280;
+            phi_533_ = _e280;
         } else {
-            phi_502_ = 0u;
+            phi_533_ = 0u;
         }
-        let _e309 = phi_502_;
+        let _e309 = phi_533_;
         if (_e207 == 0u) {
-            phi_507_ = 0u;
+            phi_538_ = 0u;
         } else {
-            phi_507_ = _e280;
+            phi_538_ = _e280;
         }
-        let _e312 = phi_507_;
+        let _e312 = phi_538_;
         if (_e304 == 0u) {
-            phi_513_ = _e309;
+            phi_544_ = _e309;
         } else {
-            phi_513_ = (_e304 - 1u);
+            phi_544_ = (_e304 - 1u);
         }
-        let _e316 = phi_513_;
+        let _e316 = phi_544_;
         if (_e304 > _e280) {
-            phi_518_ = _e312;
+            phi_549_ = _e312;
         } else {
-            phi_518_ = _e304;
+            phi_549_ = _e304;
         }
-        let _e319 = phi_518_;
-        phi_520_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+        let _e319 = phi_549_;
+        phi_551_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
     }
-    let _e322 = phi_520_;
-    let _e326 = (*param).offset;
-    let _e333 = (*param).offset;
-    let _e340 = (*param).offset;
-    let _e347 = (*param).offset;
+    let _e322 = phi_551_;
+    let _e326 = (*param_3).offset;
+    let _e333 = (*param_3).offset;
+    let _e340 = (*param_3).offset;
+    let _e347 = (*param_3).offset;
     return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
-    var phi_587_: lt_bvh_traverse_Tree;
-    var phi_588_: bool;
-    var phi_589_: lt_bvh_traverse_Tree;
-    var phi_590_: bool;
-    var phi_595_: lt_bvh_traverse_Tree;
-
-    if (param_3.x < param_4) {
-        if (param_3.y < param_5) {
-            phi_587_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
-            phi_588_ = false;
-        } else {
-            phi_587_ = lt_bvh_traverse_Tree();
-            phi_588_ = true;
-        }
-        let _e82 = phi_587_;
-        let _e84 = phi_588_;
-        phi_589_ = _e82;
-        phi_590_ = _e84;
-    } else {
-        phi_589_ = lt_bvh_traverse_Tree();
-        phi_590_ = true;
-    }
-    let _e86 = phi_589_;
-    let _e88 = phi_590_;
-    if _e88 {
-        phi_595_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_595_ = _e86;
-    }
-    let _e93 = phi_595_;
-    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
 }
 
 fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {

@@ -1,58 +1,3 @@
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_6 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
-struct type_10 {
-    member: array<abi_Vertex>,
-}
-
-struct abi_Material {
-    base_color: vec4<f32>,
-    cutoff: f32,
-    flags: u32,
-    alpha_offset: u32,
-    alpha_size: u32,
-    color_offset: u32,
-    color_size: u32,
-    pad: vec2<u32>,
-}
-
-struct type_15 {
-    member: array<abi_Material>,
-}
-
-struct lt_bvh_Instance {
-    world_to_object: array<vec4<f32>, 3>,
-    object_to_world: array<vec4<f32>, 3>,
-    low_world: vec3<f32>,
-    root: u32,
-    high_world: vec3<f32>,
-    first_triangle: u32,
-    source: u32,
-    padding: array<u32, 3>,
-}
-
-struct type_30 {
-    member: array<lt_bvh_Instance>,
-}
-
 struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
@@ -75,13 +20,68 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_39 {
+struct type_9 {
     member: array<abi_Sample>,
 }
 
 struct lt_bvh_traverse_Tree {
     root: u32,
     first_primitive: u32,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_23 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_27 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    pad: vec2<u32>,
+}
+
+struct type_31 {
+    member: array<abi_Material>,
+}
+
+struct lt_bvh_Instance {
+    world_to_object: array<vec4<f32>, 3>,
+    object_to_world: array<vec4<f32>, 3>,
+    low_world: vec3<f32>,
+    root: u32,
+    high_world: vec3<f32>,
+    first_triangle: u32,
+    source: u32,
+    padding: array<u32, 3>,
+}
+
+struct type_41 {
+    member: array<lt_bvh_Instance>,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -135,21 +135,21 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-@group(0) @binding(3) 
-var<storage> vertices: type_10;
-@group(0) @binding(4) 
-var<storage> materials: type_15;
 var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_27;
+@group(0) @binding(4) 
+var<storage> materials: type_31;
 @group(0) @binding(0) 
 var<uniform> p: type_47;
 @group(0) @binding(1) 
 var<storage> nodes: type_52;
 @group(0) @binding(2) 
-var<storage> triangles: type_6;
+var<storage> triangles: type_23;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_39;
+var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_30;
+var<storage> instances: type_41;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_197_: lt_bvh_traverse_Tree;

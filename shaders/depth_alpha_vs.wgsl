@@ -13,7 +13,7 @@ struct abi_DepthParams {
     pad2_: u32,
 }
 
-struct type_5 {
+struct type_9 {
     member: abi_DepthParams,
 }
 
@@ -26,7 +26,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_10 {
+struct type_13 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -36,9 +36,9 @@ struct VertexOutput {
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_5;
+var<uniform> p: type_9;
 @group(0) @binding(1) 
-var<storage> triangles: type_10;
+var<storage> triangles: type_13;
 var<private> vertex_1: u32;
 var<private> triangle: u32;
 var<private> position: vec4<f32> = vec4<f32>(0f, 0f, 0f, 1f);

@@ -1,3 +1,7 @@
+struct type_8 {
+    member: array<u32>,
+}
+
 struct texture_TextureView {
     offset: u32,
     size: u32,
@@ -19,7 +23,7 @@ struct abi_DepthParams {
     pad2_: u32,
 }
 
-struct type_7 {
+struct type_19 {
     member: abi_DepthParams,
 }
 
@@ -32,7 +36,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_12 {
+struct type_23 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -44,7 +48,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_16 {
+struct type_27 {
     member: array<abi_Vertex>,
 }
 
@@ -59,12 +63,8 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_21 {
+struct type_31 {
     member: array<abi_Material>,
-}
-
-struct type_25 {
-    member: array<u32>,
 }
 
 struct texture_TexelQuad {
@@ -96,18 +96,18 @@ struct type_43 {
 var<private> at_1: vec4<f32>;
 var<private> triangle_1: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_7;
+var<uniform> p: type_19;
 @group(0) @binding(1) 
-var<storage> triangles: type_12;
+var<storage> triangles: type_23;
 @group(0) @binding(2) 
 var<storage> instances: type_43;
 var<private> placed_1: u32;
 @group(0) @binding(3) 
-var<storage> vertices: type_16;
+var<storage> vertices: type_27;
 @group(0) @binding(4) 
-var<storage> materials: type_21;
+var<storage> materials: type_31;
 @group(0) @binding(5) 
-var<storage> alpha_texels: type_25;
+var<storage> alpha_texels: type_8;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
     var phi_158_: f32;

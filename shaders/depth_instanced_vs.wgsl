@@ -13,7 +13,7 @@ struct abi_DepthParams {
     pad2_: u32,
 }
 
-struct type_5 {
+struct type_10 {
     member: abi_DepthParams,
 }
 
@@ -26,7 +26,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_10 {
+struct type_14 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -41,19 +41,19 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_21 {
+struct type_22 {
     member: array<lt_bvh_Instance>,
 }
 
 @group(0) @binding(0) 
-var<uniform> p: type_5;
+var<uniform> p: type_10;
 @group(0) @binding(1) 
-var<storage> triangles: type_10;
+var<storage> triangles: type_14;
 var<private> vertex_1: u32;
 var<private> position: vec4<f32> = vec4<f32>(0f, 0f, 0f, 1f);
 var<private> instance_1: u32;
 @group(0) @binding(2) 
-var<storage> instances: type_21;
+var<storage> instances: type_22;
 
 fn function_() {
     var phi_90_: vec3<f32>;

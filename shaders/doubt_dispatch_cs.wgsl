@@ -1,10 +1,10 @@
-struct type_3 {
+struct type_5 {
     member: array<u32>,
 }
 
 var<private> _id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<storage, read_write> list: type_3;
+var<storage, read_write> list: type_5;
 
 fn function_() {
     var phi_49_: u32;

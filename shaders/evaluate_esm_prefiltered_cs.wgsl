@@ -1,10 +1,3 @@
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -14,11 +7,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_18 {
+struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct type_22 {
+struct type_13 {
     member: array<f32>,
 }
 
@@ -27,8 +20,25 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct type_30 {
+struct evaluate_Verdict {
+    visibility: f32,
+    is_doubted: bool,
+}
+
+struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
+    unnamed: evaluate_Verdict,
+    unnamed_1: bool,
+}
+
+struct type_28 {
     member: array<vec4<f32>>,
+}
+
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -48,26 +58,16 @@ struct type_34 {
     member: abi_ShadowParams,
 }
 
-struct evaluate_Verdict {
-    visibility: f32,
-    is_doubted: bool,
-}
-
-struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    unnamed: evaluate_Verdict,
-    unnamed_1: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_18;
+var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_34;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_22;
+var<storage, read_write> visibility: type_13;
 @group(0) @binding(2) 
-var<storage> map: type_30;
+var<storage> map: type_28;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_141_: lt_bvh_traverse_Tree;

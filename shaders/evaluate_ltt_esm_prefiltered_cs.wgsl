@@ -1,14 +1,3 @@
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct type_8 {
-    member: array<u32>,
-}
-
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -18,11 +7,15 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_23 {
+struct type_10 {
     member: array<abi_Sample>,
 }
 
-struct type_27 {
+struct type_14 {
+    member: array<u32>,
+}
+
+struct type_18 {
     member: array<f32>,
 }
 
@@ -31,8 +24,25 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct type_36 {
+struct evaluate_Verdict {
+    visibility: f32,
+    is_doubted: bool,
+}
+
+struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
+    unnamed: evaluate_Verdict,
+    unnamed_1: bool,
+}
+
+struct type_37 {
     member: array<vec4<f32>>,
+}
+
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -48,70 +58,60 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_40 {
+struct type_43 {
     member: abi_ShadowParams,
 }
 
-struct evaluate_Verdict {
-    visibility: f32,
-    is_doubted: bool,
-}
-
-struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    unnamed: evaluate_Verdict,
-    unnamed_1: bool,
-}
-
-struct type_47 {
+struct type_48 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> samples: type_23;
-var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
-@group(0) @binding(0) 
-var<uniform> p: type_40;
-@group(0) @binding(3) 
-var<storage, read_write> visibility: type_27;
 var<private> local_2: u32;
-@group(0) @binding(4) 
-var<storage, read_write> list: type_47;
+@group(0) @binding(1) 
+var<storage> samples: type_10;
+var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
+@group(0) @binding(0) 
+var<uniform> p: type_43;
+@group(0) @binding(3) 
+var<storage, read_write> visibility: type_18;
+@group(0) @binding(4) 
+var<storage, read_write> list: type_48;
 @group(0) @binding(2) 
-var<storage> map: type_36;
+var<storage> map: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_158_: lt_bvh_traverse_Tree;
-    var phi_159_: bool;
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_160_: bool;
+    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_162_: bool;
+    var phi_167_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_158_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_159_ = false;
+            phi_159_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_160_ = false;
         } else {
-            phi_158_ = lt_bvh_traverse_Tree();
-            phi_159_ = true;
+            phi_159_ = lt_bvh_traverse_Tree();
+            phi_160_ = true;
         }
-        let _e63 = phi_158_;
-        let _e65 = phi_159_;
-        phi_160_ = _e63;
-        phi_161_ = _e65;
+        let _e63 = phi_159_;
+        let _e65 = phi_160_;
+        phi_161_ = _e63;
+        phi_162_ = _e65;
     } else {
-        phi_160_ = lt_bvh_traverse_Tree();
-        phi_161_ = true;
+        phi_161_ = lt_bvh_traverse_Tree();
+        phi_162_ = true;
     }
-    let _e67 = phi_160_;
-    let _e69 = phi_161_;
+    let _e67 = phi_161_;
+    let _e69 = phi_162_;
     if _e69 {
-        phi_166_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_167_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_166_ = _e67;
+        phi_167_ = _e67;
     }
-    let _e74 = phi_166_;
+    let _e74 = phi_167_;
     return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
@@ -120,544 +120,572 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_186_: bool;
-    var phi_190_: f32;
+    var phi_187_: bool;
+    var phi_191_: f32;
 
     let _e51 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_186_ = true;
+        phi_187_ = true;
     } else {
         let _e55 = (84f < _e51);
         if _e55 {
         }
-        phi_186_ = _e55;
+        phi_187_ = _e55;
     }
-    let _e57 = phi_186_;
+    let _e57 = phi_187_;
     if _e57 {
-        phi_190_ = 84f;
+        phi_191_ = 84f;
     } else {
-        phi_190_ = _e51;
+        phi_191_ = _e51;
     }
-    let _e59 = phi_190_;
+    let _e59 = phi_191_;
     return _e59;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_209_: f32;
     var phi_210_: f32;
     var phi_211_: f32;
-    var phi_226_: f32;
-    var phi_231_: f32;
-    var phi_253_: f32;
-    var phi_258_: f32;
-    var phi_259_: bool;
-    var phi_260_: f32;
-    var phi_261_: bool;
-    var phi_265_: f32;
-    var phi_303_: f32;
-    var phi_319_: f32;
+    var phi_212_: f32;
+    var phi_227_: f32;
+    var phi_232_: f32;
+    var phi_254_: f32;
+    var phi_259_: f32;
+    var phi_260_: bool;
+    var phi_261_: f32;
+    var phi_262_: bool;
+    var phi_266_: f32;
+    var phi_304_: f32;
     var phi_320_: f32;
     var phi_321_: f32;
+    var phi_322_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_211_ = param_7;
+        phi_212_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_210_ = 0f;
+            phi_211_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_209_ = 1f;
+                phi_210_ = 1f;
             } else {
-                phi_209_ = param_7;
+                phi_210_ = param_7;
             }
-            let _e59 = phi_209_;
-            phi_210_ = _e59;
+            let _e59 = phi_210_;
+            phi_211_ = _e59;
         }
-        let _e61 = phi_210_;
-        phi_211_ = _e61;
+        let _e61 = phi_211_;
+        phi_212_ = _e61;
     }
-    let _e63 = phi_211_;
+    let _e63 = phi_212_;
     let _e65 = _lt_math_esm_Esm_clamped_exponent(param_5);
     let _e67 = (_e65 * (1f - _e63));
     if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-        phi_303_ = _e67;
+        phi_304_ = _e67;
     } else {
         if (_e67 < -87f) {
-            phi_226_ = -87f;
+            phi_227_ = -87f;
         } else {
-            phi_226_ = _e67;
+            phi_227_ = _e67;
         }
-        let _e73 = phi_226_;
+        let _e73 = phi_227_;
         if (_e73 > 88f) {
-            phi_231_ = 88f;
+            phi_232_ = 88f;
         } else {
-            phi_231_ = _e73;
+            phi_232_ = _e73;
         }
-        let _e76 = phi_231_;
+        let _e76 = phi_232_;
         let _e78 = ((_e76 * 1.442695f) + 0.5f);
         if (_e78 > -8388608f) {
             let _e90 = f32(select(0i, select(select(i32(_e78), i32(-2147483648), (_e78 < bitcast<f32>(3472883712u))), 2147483647i, (_e78 > bitcast<f32>(1325400063u))), (_e78 == _e78)));
             if (_e90 > _e78) {
-                phi_253_ = 1f;
+                phi_254_ = 1f;
             } else {
-                phi_253_ = 0f;
+                phi_254_ = 0f;
             }
-            let _e93 = phi_253_;
+            let _e93 = phi_254_;
             if (_e78 < 8388608f) {
-                phi_258_ = (_e90 - _e93);
-                phi_259_ = false;
+                phi_259_ = (_e90 - _e93);
+                phi_260_ = false;
             } else {
-                phi_258_ = f32();
-                phi_259_ = true;
+                phi_259_ = f32();
+                phi_260_ = true;
             }
-            let _e96 = phi_258_;
-            let _e98 = phi_259_;
-            phi_260_ = _e96;
-            phi_261_ = _e98;
+            let _e96 = phi_259_;
+            let _e98 = phi_260_;
+            phi_261_ = _e96;
+            phi_262_ = _e98;
         } else {
-            phi_260_ = f32();
-            phi_261_ = true;
+            phi_261_ = f32();
+            phi_262_ = true;
         }
-        let _e100 = phi_260_;
-        let _e102 = phi_261_;
+        let _e100 = phi_261_;
+        let _e102 = phi_262_;
         if _e102 {
-            phi_265_ = _e78;
+            phi_266_ = _e78;
         } else {
-            phi_265_ = _e100;
+            phi_266_ = _e100;
         }
-        let _e104 = phi_265_;
+        let _e104 = phi_266_;
         let _e108 = ((_e76 - (_e104 * 0.69314575f)) - (_e104 * 0.0000014286068f));
-        phi_303_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
+        phi_304_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e144 = phi_303_;
+    let _e144 = phi_304_;
     let _e145 = (param_6.x * _e144);
     if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
-        phi_321_ = _e145;
+        phi_322_ = _e145;
     } else {
         if (_e145 < 0f) {
-            phi_320_ = 0f;
+            phi_321_ = 0f;
         } else {
             if (_e145 > 1f) {
-                phi_319_ = 1f;
+                phi_320_ = 1f;
             } else {
-                phi_319_ = _e145;
+                phi_320_ = _e145;
             }
-            let _e152 = phi_319_;
-            phi_320_ = _e152;
+            let _e152 = phi_320_;
+            phi_321_ = _e152;
         }
-        let _e154 = phi_320_;
-        phi_321_ = _e154;
+        let _e154 = phi_321_;
+        phi_322_ = _e154;
     }
-    let _e156 = phi_321_;
+    let _e156 = phi_322_;
     return _e156;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_375_: bool;
-    var phi_376_: bool;
-    var phi_377_: bool;
+    var phi_371_: bool;
+    var phi_372_: bool;
+    var phi_373_: bool;
+    var phi_374_: bool;
     var phi_378_: bool;
-    var phi_382_: bool;
+    var phi_422_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_426_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_430_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_507_: bool;
-    var phi_516_: bool;
+    var phi_503_: bool;
+    var phi_512_: bool;
+    var phi_521_: bool;
+    var phi_522_: bool;
+    var phi_523_: bool;
+    var phi_524_: bool;
     var phi_525_: bool;
     var phi_526_: bool;
     var phi_527_: bool;
-    var phi_528_: bool;
-    var phi_529_: bool;
-    var phi_530_: bool;
     var phi_531_: bool;
-    var phi_535_: bool;
-    var phi_629_: f32;
-    var phi_632_: f32;
-    var phi_661_: f32;
-    var phi_666_: f32;
-    var phi_667_: bool;
-    var phi_668_: f32;
-    var phi_669_: bool;
-    var phi_673_: f32;
-    var phi_693_: f32;
-    var phi_698_: f32;
-    var phi_699_: bool;
-    var phi_700_: f32;
-    var phi_701_: bool;
-    var phi_705_: f32;
-    var phi_751_: i32;
-    var phi_756_: i32;
-    var phi_761_: i32;
-    var phi_766_: i32;
-    var phi_775_: i32;
-    var phi_780_: i32;
-    var phi_785_: i32;
-    var phi_790_: i32;
-    var phi_881_: bool;
-    var phi_889_: bool;
-    var phi_894_: f32;
-    var phi_897_: evaluate_Verdict;
-    var phi_898_: evaluate_Verdict;
-    var phi_902_: bool;
-    var phi_903_: u32;
-    var phi_909_: u32;
+    var phi_625_: f32;
+    var phi_628_: f32;
+    var phi_657_: f32;
+    var phi_662_: f32;
+    var phi_663_: bool;
+    var phi_664_: f32;
+    var phi_665_: bool;
+    var phi_669_: f32;
+    var phi_689_: f32;
+    var phi_694_: f32;
+    var phi_695_: bool;
+    var phi_696_: f32;
+    var phi_697_: bool;
+    var phi_701_: f32;
+    var phi_747_: i32;
+    var phi_752_: i32;
+    var phi_757_: i32;
+    var phi_762_: i32;
+    var phi_771_: i32;
+    var phi_776_: i32;
+    var phi_781_: i32;
+    var phi_786_: i32;
+    var phi_877_: bool;
+    var phi_885_: bool;
+    var phi_897_: bool;
+    var phi_898_: bool;
+    var phi_902_: f32;
+    var phi_908_: f32;
+    var phi_910_: evaluate_Verdict;
+    var phi_915_: evaluate_Verdict;
+    var phi_916_: evaluate_Verdict;
+    var phi_920_: bool;
+    var phi_921_: u32;
+    var phi_932_: u32;
 
     let _e51 = id_1;
     let _e52 = local_2;
     let _e57 = arrayLength((&map.member));
-    if (_e52 == 0u) {
-        atomicStore((&shared_[0u]), 0u);
-    }
-    workgroupBarrier();
-    let _e64 = p.member.size[0u];
-    let _e66 = p.member.size[1u];
-    let _e67 = lt_shaders_entry_pixel_index(_e51, _e64, _e66);
-    if (bitcast<i32>(_e67.root) != 0i) {
-        let _e74 = p.member.light;
-        let _e77 = samples.member[_e67.first_primitive].normal[0u];
-        let _e79 = global[0u];
-        if (_e77 == _e79) {
-            let _e82 = samples.member[_e67.first_primitive].normal[1u];
-            let _e84 = global[1u];
-            if (_e82 == _e84) {
-                let _e87 = samples.member[_e67.first_primitive].normal[2u];
-                let _e89 = global[2u];
-                phi_375_ = (_e87 == _e89);
-                phi_376_ = false;
+    let _e62 = p.member.size[0u];
+    let _e64 = p.member.size[1u];
+    let _e65 = lt_shaders_entry_pixel_index(_e51, _e62, _e64);
+    if (bitcast<i32>(_e65.root) != 0i) {
+        let _e72 = p.member.light;
+        let _e75 = samples.member[_e65.first_primitive].normal[0u];
+        let _e77 = global[0u];
+        if (_e75 == _e77) {
+            let _e80 = samples.member[_e65.first_primitive].normal[1u];
+            let _e82 = global[1u];
+            if (_e80 == _e82) {
+                let _e85 = samples.member[_e65.first_primitive].normal[2u];
+                let _e87 = global[2u];
+                phi_371_ = (_e85 == _e87);
+                phi_372_ = false;
             } else {
-                phi_375_ = bool();
-                phi_376_ = true;
+                phi_371_ = bool();
+                phi_372_ = true;
             }
-            let _e92 = phi_375_;
-            let _e94 = phi_376_;
-            phi_377_ = _e92;
+            let _e90 = phi_371_;
+            let _e92 = phi_372_;
+            phi_373_ = _e90;
+            phi_374_ = _e92;
+        } else {
+            phi_373_ = bool();
+            phi_374_ = true;
+        }
+        let _e94 = phi_373_;
+        let _e96 = phi_374_;
+        if _e96 {
+            phi_378_ = false;
+        } else {
             phi_378_ = _e94;
-        } else {
-            phi_377_ = bool();
-            phi_378_ = true;
         }
-        let _e96 = phi_377_;
         let _e98 = phi_378_;
-        if _e98 {
-            phi_382_ = false;
-        } else {
-            phi_382_ = _e96;
-        }
-        let _e100 = phi_382_;
-        if !(_e100) {
-            let _e103 = samples.member[_e67.first_primitive].normal;
-            let _e105 = samples.member[_e67.first_primitive].position;
-            if ((((_e103.x * (_e74.x - (_e105.x * _e74.w))) + (_e103.y * (_e74.y - (_e105.y * _e74.w)))) + (_e103.z * (_e74.z - (_e105.z * _e74.w)))) > 0f) {
-                let _e129 = samples.member[_e67.first_primitive].flags;
-                let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
-                phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, ((_e129 & 1u) == 0u));
+        if !(_e98) {
+            let _e101 = samples.member[_e65.first_primitive].normal;
+            let _e103 = samples.member[_e65.first_primitive].position;
+            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
+                let _e127 = samples.member[_e65.first_primitive].flags;
+                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
+                phi_422_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
             } else {
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e152.unnamed.visibility, false), _e152.unnamed_1);
-                phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, true);
+                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
+                phi_422_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
             }
-            let _e163 = phi_426_;
-            phi_430_ = _e163;
+            let _e161 = phi_422_;
+            phi_426_ = _e161;
         } else {
-            let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-            phi_430_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, true);
+            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
+            phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
         }
-        let _e180 = phi_430_;
-        if _e180.unnamed_1 {
-            phi_898_ = evaluate_Verdict(_e180.unnamed.visibility, _e180.unnamed.is_doubted);
+        let _e178 = phi_426_;
+        if _e178.unnamed_1 {
+            phi_916_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
         } else {
-            let _e188 = samples.member[_e67.first_primitive].position;
-            let _e194 = p.member.projection.row_w;
-            let _e205 = ((((_e194.x * _e188.x) + (_e194.y * _e188.y)) + (_e194.z * _e188.z)) + (_e194.w * 1f));
-            let _e207 = p.member.projection.row_x;
-            let _e219 = (((((_e207.x * _e188.x) + (_e207.y * _e188.y)) + (_e207.z * _e188.z)) + (_e207.w * 1f)) / _e205);
-            let _e221 = p.member.projection.row_y;
-            let _e233 = (((((_e221.x * _e188.x) + (_e221.y * _e188.y)) + (_e221.z * _e188.z)) + (_e221.w * 1f)) / _e205);
-            let _e235 = p.member.projection.row_z;
-            let _e246 = ((((_e235.x * _e188.x) + (_e235.y * _e188.y)) + (_e235.z * _e188.z)) + (_e235.w * 1f));
-            if (_e205 > 0f) {
-                if (_e219 >= 0f) {
-                    phi_507_ = (_e219 <= 1f);
+            let _e186 = samples.member[_e65.first_primitive].position;
+            let _e192 = p.member.projection.row_w;
+            let _e203 = ((((_e192.x * _e186.x) + (_e192.y * _e186.y)) + (_e192.z * _e186.z)) + (_e192.w * 1f));
+            let _e205 = p.member.projection.row_x;
+            let _e217 = (((((_e205.x * _e186.x) + (_e205.y * _e186.y)) + (_e205.z * _e186.z)) + (_e205.w * 1f)) / _e203);
+            let _e219 = p.member.projection.row_y;
+            let _e231 = (((((_e219.x * _e186.x) + (_e219.y * _e186.y)) + (_e219.z * _e186.z)) + (_e219.w * 1f)) / _e203);
+            let _e233 = p.member.projection.row_z;
+            let _e244 = ((((_e233.x * _e186.x) + (_e233.y * _e186.y)) + (_e233.z * _e186.z)) + (_e233.w * 1f));
+            if (_e203 > 0f) {
+                if (_e217 >= 0f) {
+                    phi_503_ = (_e217 <= 1f);
                 } else {
-                    phi_507_ = false;
+                    phi_503_ = false;
                 }
-                let _e251 = phi_507_;
-                if _e251 {
-                    if (_e233 >= 0f) {
-                        phi_516_ = (_e233 <= 1f);
+                let _e249 = phi_503_;
+                if _e249 {
+                    if (_e231 >= 0f) {
+                        phi_512_ = (_e231 <= 1f);
                     } else {
-                        phi_516_ = false;
+                        phi_512_ = false;
                     }
-                    let _e255 = phi_516_;
-                    if _e255 {
-                        if (_e246 >= 0f) {
-                            phi_525_ = (_e246 <= 1f);
+                    let _e253 = phi_512_;
+                    if _e253 {
+                        if (_e244 >= 0f) {
+                            phi_521_ = (_e244 <= 1f);
                         } else {
-                            phi_525_ = false;
+                            phi_521_ = false;
                         }
-                        let _e259 = phi_525_;
-                        phi_526_ = _e259;
-                        phi_527_ = false;
+                        let _e257 = phi_521_;
+                        phi_522_ = _e257;
+                        phi_523_ = false;
                     } else {
-                        phi_526_ = bool();
-                        phi_527_ = true;
+                        phi_522_ = bool();
+                        phi_523_ = true;
                     }
-                    let _e261 = phi_526_;
-                    let _e263 = phi_527_;
-                    phi_528_ = _e261;
-                    phi_529_ = _e263;
+                    let _e259 = phi_522_;
+                    let _e261 = phi_523_;
+                    phi_524_ = _e259;
+                    phi_525_ = _e261;
                 } else {
-                    phi_528_ = bool();
-                    phi_529_ = true;
+                    phi_524_ = bool();
+                    phi_525_ = true;
                 }
-                let _e265 = phi_528_;
-                let _e267 = phi_529_;
-                phi_530_ = _e265;
-                phi_531_ = _e267;
+                let _e263 = phi_524_;
+                let _e265 = phi_525_;
+                phi_526_ = _e263;
+                phi_527_ = _e265;
             } else {
-                phi_530_ = bool();
-                phi_531_ = true;
+                phi_526_ = bool();
+                phi_527_ = true;
             }
-            let _e269 = phi_530_;
+            let _e267 = phi_526_;
+            let _e269 = phi_527_;
+            if _e269 {
+                phi_531_ = false;
+            } else {
+                phi_531_ = _e267;
+            }
             let _e271 = phi_531_;
             if _e271 {
-                phi_535_ = false;
-            } else {
-                phi_535_ = _e269;
-            }
-            let _e273 = phi_535_;
-            if _e273 {
                 if (0f > 0f) {
-                    let _e276 = samples.member[_e67.first_primitive].normal;
-                    let _e278 = p.member.map_size;
-                    let _e281 = p.member.projection.row_x;
-                    let _e303 = p.member.projection.row_y;
-                    let _e325 = p.member.projection.row_z;
-                    let _e352 = ((abs(((((_e281.x * _e276.x) + (_e281.y * _e276.y)) + (_e281.z * _e276.z)) / (((_e281.x * _e281.x) + (_e281.y * _e281.y)) + (_e281.z * _e281.z)))) + abs(((((_e303.x * _e276.x) + (_e303.y * _e276.y)) + (_e303.z * _e276.z)) / (((_e303.x * _e303.x) + (_e303.y * _e303.y)) + (_e303.z * _e303.z))))) / (abs(((((_e325.x * _e276.x) + (_e325.y * _e276.y)) + (_e325.z * _e276.z)) / (((_e325.x * _e325.x) + (_e325.y * _e325.y)) + (_e325.z * _e325.z)))) * f32(_e278)));
-                    if (_e352 < 0.002f) {
-                        phi_629_ = _e352;
+                    let _e274 = samples.member[_e65.first_primitive].normal;
+                    let _e276 = p.member.map_size;
+                    let _e279 = p.member.projection.row_x;
+                    let _e301 = p.member.projection.row_y;
+                    let _e323 = p.member.projection.row_z;
+                    let _e350 = ((abs(((((_e279.x * _e274.x) + (_e279.y * _e274.y)) + (_e279.z * _e274.z)) / (((_e279.x * _e279.x) + (_e279.y * _e279.y)) + (_e279.z * _e279.z)))) + abs(((((_e301.x * _e274.x) + (_e301.y * _e274.y)) + (_e301.z * _e274.z)) / (((_e301.x * _e301.x) + (_e301.y * _e301.y)) + (_e301.z * _e301.z))))) / (abs(((((_e323.x * _e274.x) + (_e323.y * _e274.y)) + (_e323.z * _e274.z)) / (((_e323.x * _e323.x) + (_e323.y * _e323.y)) + (_e323.z * _e323.z)))) * f32(_e276)));
+                    if (_e350 < 0.002f) {
+                        phi_625_ = _e350;
                     } else {
-                        phi_629_ = 0.002f;
+                        phi_625_ = 0.002f;
                     }
-                    let _e355 = phi_629_;
-                    phi_632_ = (_e246 - (0f * _e355));
+                    let _e353 = phi_625_;
+                    phi_628_ = (_e244 - (0f * _e353));
                 } else {
-                    phi_632_ = _e246;
+                    phi_628_ = _e244;
                 }
-                let _e359 = phi_632_;
-                let _e361 = p.member.map_size;
-                let _e362 = f32(_e361);
-                let _e365 = ((_e219 * _e362) - 0.5f);
-                let _e366 = ((_e233 * _e362) - 0.5f);
-                if (_e365 > -8388608f) {
-                    let _e378 = f32(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)));
-                    if (_e378 > _e365) {
-                        phi_661_ = 1f;
+                let _e357 = phi_628_;
+                let _e359 = p.member.map_size;
+                let _e360 = f32(_e359);
+                let _e363 = ((_e217 * _e360) - 0.5f);
+                let _e364 = ((_e231 * _e360) - 0.5f);
+                if (_e363 > -8388608f) {
+                    let _e376 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
+                    if (_e376 > _e363) {
+                        phi_657_ = 1f;
                     } else {
-                        phi_661_ = 0f;
+                        phi_657_ = 0f;
                     }
-                    let _e381 = phi_661_;
-                    if (_e365 < 8388608f) {
-                        phi_666_ = (_e378 - _e381);
-                        phi_667_ = false;
+                    let _e379 = phi_657_;
+                    if (_e363 < 8388608f) {
+                        phi_662_ = (_e376 - _e379);
+                        phi_663_ = false;
                     } else {
-                        phi_666_ = f32();
-                        phi_667_ = true;
+                        phi_662_ = f32();
+                        phi_663_ = true;
                     }
-                    let _e384 = phi_666_;
-                    let _e386 = phi_667_;
-                    phi_668_ = _e384;
+                    let _e382 = phi_662_;
+                    let _e384 = phi_663_;
+                    phi_664_ = _e382;
+                    phi_665_ = _e384;
+                } else {
+                    phi_664_ = f32();
+                    phi_665_ = true;
+                }
+                let _e386 = phi_664_;
+                let _e388 = phi_665_;
+                if _e388 {
+                    phi_669_ = _e363;
+                } else {
                     phi_669_ = _e386;
-                } else {
-                    phi_668_ = f32();
-                    phi_669_ = true;
                 }
-                let _e388 = phi_668_;
                 let _e390 = phi_669_;
-                if _e390 {
-                    phi_673_ = _e365;
+                if (_e364 > -8388608f) {
+                    let _e402 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
+                    if (_e402 > _e364) {
+                        phi_689_ = 1f;
+                    } else {
+                        phi_689_ = 0f;
+                    }
+                    let _e405 = phi_689_;
+                    if (_e364 < 8388608f) {
+                        phi_694_ = (_e402 - _e405);
+                        phi_695_ = false;
+                    } else {
+                        phi_694_ = f32();
+                        phi_695_ = true;
+                    }
+                    let _e408 = phi_694_;
+                    let _e410 = phi_695_;
+                    phi_696_ = _e408;
+                    phi_697_ = _e410;
                 } else {
-                    phi_673_ = _e388;
+                    phi_696_ = f32();
+                    phi_697_ = true;
                 }
-                let _e392 = phi_673_;
-                if (_e366 > -8388608f) {
-                    let _e404 = f32(select(0i, select(select(i32(_e366), i32(-2147483648), (_e366 < bitcast<f32>(3472883712u))), 2147483647i, (_e366 > bitcast<f32>(1325400063u))), (_e366 == _e366)));
-                    if (_e404 > _e366) {
-                        phi_693_ = 1f;
-                    } else {
-                        phi_693_ = 0f;
-                    }
-                    let _e407 = phi_693_;
-                    if (_e366 < 8388608f) {
-                        phi_698_ = (_e404 - _e407);
-                        phi_699_ = false;
-                    } else {
-                        phi_698_ = f32();
-                        phi_699_ = true;
-                    }
-                    let _e410 = phi_698_;
-                    let _e412 = phi_699_;
-                    phi_700_ = _e410;
+                let _e412 = phi_696_;
+                let _e414 = phi_697_;
+                if _e414 {
+                    phi_701_ = _e364;
+                } else {
                     phi_701_ = _e412;
-                } else {
-                    phi_700_ = f32();
-                    phi_701_ = true;
                 }
-                let _e414 = phi_700_;
                 let _e416 = phi_701_;
-                if _e416 {
-                    phi_705_ = _e366;
+                let _e417 = (_e363 - _e390);
+                let _e418 = (_e364 - _e416);
+                let _e427 = select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390));
+                let _e436 = select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416));
+                let _e439 = ((1f - _e417) * (1f - _e418));
+                let _e441 = (_e417 * (1f - _e418));
+                let _e443 = ((1f - _e417) * _e418);
+                let _e444 = (_e417 * _e418);
+                let _e446 = p.member.test;
+                let _e447 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e446);
+                let _e449 = p.member.map_size;
+                local_1 = _e447;
+                let _e451 = (bitcast<i32>(_e449) - 1i);
+                if (_e427 > 0i) {
+                    phi_747_ = _e427;
                 } else {
-                    phi_705_ = _e414;
+                    phi_747_ = 0i;
                 }
-                let _e418 = phi_705_;
-                let _e419 = (_e365 - _e392);
-                let _e420 = (_e366 - _e418);
-                let _e429 = select(0i, select(select(i32(_e392), i32(-2147483648), (_e392 < bitcast<f32>(3472883712u))), 2147483647i, (_e392 > bitcast<f32>(1325400063u))), (_e392 == _e392));
-                let _e438 = select(0i, select(select(i32(_e418), i32(-2147483648), (_e418 < bitcast<f32>(3472883712u))), 2147483647i, (_e418 > bitcast<f32>(1325400063u))), (_e418 == _e418));
-                let _e441 = ((1f - _e419) * (1f - _e420));
-                let _e443 = (_e419 * (1f - _e420));
-                let _e445 = ((1f - _e419) * _e420);
-                let _e446 = (_e419 * _e420);
-                let _e448 = p.member.test;
-                let _e449 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e448);
-                let _e451 = p.member.map_size;
-                local_1 = _e449;
-                let _e453 = (bitcast<i32>(_e451) - 1i);
-                if (_e429 > 0i) {
-                    phi_751_ = _e429;
+                let _e454 = phi_747_;
+                if (_e436 > 0i) {
+                    phi_752_ = _e436;
                 } else {
-                    phi_751_ = 0i;
+                    phi_752_ = 0i;
                 }
-                let _e456 = phi_751_;
-                if (_e438 > 0i) {
-                    phi_756_ = _e438;
+                let _e457 = phi_752_;
+                if (_e454 < _e451) {
+                    phi_757_ = _e454;
                 } else {
-                    phi_756_ = 0i;
+                    phi_757_ = _e451;
                 }
-                let _e459 = phi_756_;
-                if (_e456 < _e453) {
-                    phi_761_ = _e456;
+                let _e460 = phi_757_;
+                if (_e457 < _e451) {
+                    phi_762_ = _e457;
                 } else {
-                    phi_761_ = _e453;
+                    phi_762_ = _e451;
                 }
-                let _e462 = phi_761_;
-                if (_e459 < _e453) {
-                    phi_766_ = _e459;
+                let _e463 = phi_762_;
+                let _e464 = bitcast<u32>(_e460);
+                let _e466 = (_e427 + 1i);
+                let _e467 = (_e436 + 1i);
+                if (_e466 > 0i) {
+                    phi_771_ = _e466;
                 } else {
-                    phi_766_ = _e453;
+                    phi_771_ = 0i;
                 }
-                let _e465 = phi_766_;
-                let _e466 = bitcast<u32>(_e462);
-                let _e468 = (_e429 + 1i);
-                let _e469 = (_e438 + 1i);
-                if (_e468 > 0i) {
-                    phi_775_ = _e468;
+                let _e470 = phi_771_;
+                if (_e467 > 0i) {
+                    phi_776_ = _e467;
                 } else {
-                    phi_775_ = 0i;
+                    phi_776_ = 0i;
                 }
-                let _e472 = phi_775_;
-                if (_e469 > 0i) {
-                    phi_780_ = _e469;
+                let _e473 = phi_776_;
+                if (_e470 < _e451) {
+                    phi_781_ = _e470;
                 } else {
-                    phi_780_ = 0i;
+                    phi_781_ = _e451;
                 }
-                let _e475 = phi_780_;
-                if (_e472 < _e453) {
-                    phi_785_ = _e472;
+                let _e476 = phi_781_;
+                if (_e473 < _e451) {
+                    phi_786_ = _e473;
                 } else {
-                    phi_785_ = _e453;
+                    phi_786_ = _e451;
                 }
-                let _e478 = phi_785_;
-                if (_e475 < _e453) {
-                    phi_790_ = _e475;
+                let _e479 = phi_786_;
+                let _e480 = bitcast<u32>(_e476);
+                let _e482 = (bitcast<u32>(_e463) * _e449);
+                let _e483 = (bitcast<u32>(_e479) * _e449);
+                let _e484 = (_e482 + _e464);
+                let _e485 = (_e482 + _e480);
+                let _e486 = (_e483 + _e464);
+                let _e487 = (_e483 + _e480);
+                if (_e484 < _e57) {
                 } else {
-                    phi_790_ = _e453;
+                    return;
                 }
-                let _e481 = phi_790_;
-                let _e482 = bitcast<u32>(_e478);
-                let _e484 = (bitcast<u32>(_e465) * _e451);
-                let _e485 = (bitcast<u32>(_e481) * _e451);
-                let _e486 = (_e484 + _e466);
-                let _e487 = (_e484 + _e482);
-                let _e488 = (_e485 + _e466);
-                let _e489 = (_e485 + _e482);
+                let _e491 = map.member[(0u + _e484)];
+                if (_e485 < _e57) {
+                } else {
+                    return;
+                }
+                let _e503 = map.member[(0u + _e485)];
                 if (_e486 < _e57) {
                 } else {
                     return;
                 }
-                let _e493 = map.member[(0u + _e486)];
+                let _e519 = map.member[(0u + _e486)];
                 if (_e487 < _e57) {
                 } else {
                     return;
                 }
-                let _e505 = map.member[(0u + _e487)];
-                if (_e488 < _e57) {
+                let _e535 = map.member[(0u + _e487)];
+                let _e549 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e491.x * _e439) + (_e503.x * _e441)) + (_e519.x * _e443)) + (_e535.x * _e444)), ((((_e491.y * _e439) + (_e503.y * _e441)) + (_e519.y * _e443)) + (_e535.y * _e444)), ((((_e491.z * _e439) + (_e503.z * _e441)) + (_e519.z * _e443)) + (_e535.z * _e444)), ((((_e491.w * _e439) + (_e503.w * _e441)) + (_e519.w * _e443)) + (_e535.w * _e444))), _e357);
+                let _e551 = p.member.epsilon;
+                if (_e549 <= _e551) {
+                    phi_877_ = true;
                 } else {
-                    return;
+                    phi_877_ = (_e549 >= (1f - _e551));
                 }
-                let _e521 = map.member[(0u + _e488)];
-                if (_e489 < _e57) {
+                let _e556 = phi_877_;
+                if ((bitcast<u32>(_e549) & 2147483647u) > 2139095040u) {
+                    phi_885_ = true;
                 } else {
-                    return;
+                    phi_885_ = !(_e556);
                 }
-                let _e537 = map.member[(0u + _e489)];
-                let _e551 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e493.x * _e441) + (_e505.x * _e443)) + (_e521.x * _e445)) + (_e537.x * _e446)), ((((_e493.y * _e441) + (_e505.y * _e443)) + (_e521.y * _e445)) + (_e537.y * _e446)), ((((_e493.z * _e441) + (_e505.z * _e443)) + (_e521.z * _e445)) + (_e537.z * _e446)), ((((_e493.w * _e441) + (_e505.w * _e443)) + (_e521.w * _e445)) + (_e537.w * _e446))), _e359);
-                let _e553 = p.member.epsilon;
-                if (_e551 <= _e553) {
-                    phi_881_ = true;
+                let _e562 = phi_885_;
+                if _e562 {
+                    if (_e549 > 0f) {
+                        if (_e549 < 1f) {
+                            phi_897_ = false;
+                        } else {
+                            phi_897_ = true;
+                        }
+                        let _e566 = phi_897_;
+                        phi_898_ = _e566;
+                    } else {
+                        phi_898_ = true;
+                    }
+                    let _e568 = phi_898_;
+                    if _e568 {
+                        phi_902_ = 0.5f;
+                    } else {
+                        phi_902_ = _e549;
+                    }
+                    let _e570 = phi_902_;
+                    phi_910_ = evaluate_Verdict(_e570, true);
                 } else {
-                    phi_881_ = (_e551 >= (1f - _e553));
+                    if (_e549 > 0.5f) {
+                        phi_908_ = 1f;
+                    } else {
+                        phi_908_ = 0f;
+                    }
+                    let _e574 = phi_908_;
+                    phi_910_ = evaluate_Verdict(_e574, false);
                 }
-                let _e558 = phi_881_;
-                if ((bitcast<u32>(_e551) & 2147483647u) > 2139095040u) {
-                    phi_889_ = true;
-                } else {
-                    phi_889_ = !(_e558);
-                }
-                let _e564 = phi_889_;
-                if (_e551 > 0.5f) {
-                    phi_894_ = 1f;
-                } else {
-                    phi_894_ = 0f;
-                }
-                let _e567 = phi_894_;
-                phi_897_ = evaluate_Verdict(_e567, _e564);
+                let _e577 = phi_910_;
+                phi_915_ = evaluate_Verdict(_e577.visibility, _e577.is_doubted);
             } else {
-                phi_897_ = evaluate_Verdict(1f, true);
+                phi_915_ = evaluate_Verdict(0.5f, true);
             }
-            let _e571 = phi_897_;
-            phi_898_ = _e571;
+            let _e583 = phi_915_;
+            phi_916_ = _e583;
         }
-        let _e573 = phi_898_;
-        visibility.member[_e67.first_primitive] = _e573.visibility;
-        phi_902_ = _e573.is_doubted;
-        phi_903_ = _e67.first_primitive;
+        let _e585 = phi_916_;
+        visibility.member[_e65.first_primitive] = _e585.visibility;
+        phi_920_ = _e585.is_doubted;
+        phi_921_ = _e65.first_primitive;
     } else {
-        phi_902_ = false;
-        phi_903_ = 0u;
+        phi_920_ = false;
+        phi_921_ = 0u;
     }
-    let _e578 = phi_902_;
-    let _e580 = phi_903_;
-    if _e578 {
-        let _e582 = atomicAdd((&shared_[0u]), 1u);
-        phi_909_ = _e582;
+    let _e590 = phi_920_;
+    let _e592 = phi_921_;
+    if (_e52 == 0u) {
+        atomicStore((&shared_[0u]), 0u);
+    }
+    workgroupBarrier();
+    if _e590 {
+        let _e596 = atomicAdd((&shared_[0u]), 1u);
+        phi_932_ = _e596;
     } else {
-        phi_909_ = 0u;
+        phi_932_ = 0u;
     }
-    let _e584 = phi_909_;
+    let _e598 = phi_932_;
     workgroupBarrier();
     if (_e52 == 0u) {
-        let _e588 = atomicLoad((&shared_[0u]));
-        let _e589 = atomicAdd((&list.member[3u]), _e588);
-        atomicStore((&shared_[1u]), _e589);
+        let _e602 = atomicLoad((&shared_[0u]));
+        let _e603 = atomicAdd((&list.member[3u]), _e602);
+        atomicStore((&shared_[1u]), _e603);
     }
     workgroupBarrier();
-    if _e578 {
-        let _e592 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e592) + _e584)]), _e580);
+    if _e590 {
+        let _e606 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e606) + _e598)]), _e592);
     }
     return;
 }

@@ -1,10 +1,3 @@
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -14,17 +7,34 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_17 {
+struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct type_21 {
+struct type_13 {
     member: array<f32>,
 }
 
 struct lt_bvh_traverse_Tree {
     root: u32,
     first_primitive: u32,
+}
+
+struct evaluate_Verdict {
+    visibility: f32,
+    is_doubted: bool,
+}
+
+struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
+    unnamed: evaluate_Verdict,
+    unnamed_1: bool,
+}
+
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -44,16 +54,6 @@ struct type_29 {
     member: abi_ShadowParams,
 }
 
-struct evaluate_Verdict {
-    visibility: f32,
-    is_doubted: bool,
-}
-
-struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    unnamed: evaluate_Verdict,
-    unnamed_1: bool,
-}
-
 struct lt_bvh_slab_Span {
     near: f32,
     far: f32,
@@ -61,14 +61,14 @@ struct lt_bvh_slab_Span {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_17;
+var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_29;
 @group(0) @binding(2) 
-var<storage> map: type_21;
+var<storage> map: type_13;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_21;
+var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_128_: lt_bvh_traverse_Tree;

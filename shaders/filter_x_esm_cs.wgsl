@@ -1,10 +1,14 @@
-struct type_14 {
+struct type_8 {
     member: array<f32>,
 }
 
 struct lt_bvh_traverse_Tree {
     root: u32,
     first_primitive: u32,
+}
+
+struct type_18 {
+    member: array<vec4<f32>>,
 }
 
 struct abi_FilterParams {
@@ -14,21 +18,17 @@ struct abi_FilterParams {
     pad: vec2<u32>,
 }
 
-struct type_18 {
-    member: abi_FilterParams,
-}
-
 struct type_22 {
-    member: array<vec4<f32>>,
+    member: abi_FilterParams,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_18;
+var<uniform> p: type_22;
 @group(0) @binding(1) 
-var<storage> depths: type_14;
+var<storage> depths: type_8;
 @group(0) @binding(2) 
-var<storage, read_write> rows: type_22;
+var<storage, read_write> rows: type_18;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_113_: lt_bvh_traverse_Tree;

@@ -3,6 +3,10 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
 struct abi_FilterParams {
     test: vec4<f32>,
     map_size: u32,
@@ -10,21 +14,17 @@ struct abi_FilterParams {
     pad: vec2<u32>,
 }
 
-struct type_12 {
-    member: abi_FilterParams,
-}
-
 struct type_16 {
-    member: array<vec4<f32>>,
+    member: abi_FilterParams,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_12;
+var<uniform> p: type_16;
 @group(0) @binding(1) 
-var<storage> rows: type_16;
+var<storage> rows: type_12;
 @group(0) @binding(2) 
-var<storage, read_write> vectors: type_16;
+var<storage, read_write> vectors: type_12;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_97_: lt_bvh_traverse_Tree;

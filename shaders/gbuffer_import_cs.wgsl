@@ -20,7 +20,7 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_12 {
+struct type_9 {
     member: array<abi_Sample>,
 }
 
@@ -38,7 +38,7 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> samples: type_12;
+var<storage, read_write> samples: type_9;
 @group(0) @binding(1) 
 var positions: texture_2d<f32>;
 @group(0) @binding(2) 

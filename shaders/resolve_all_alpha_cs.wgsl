@@ -1,3 +1,39 @@
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
+struct type_17 {
+    member: array<f32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
+struct evaluate_Verdict {
+    visibility: f32,
+    is_doubted: bool,
+}
+
+struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
+    unnamed: evaluate_Verdict,
+    unnamed_1: bool,
+}
+
 struct texture_TextureView {
     offset: u32,
     size: u32,
@@ -20,7 +56,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_7 {
+struct type_33 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -32,7 +68,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_11 {
+struct type_37 {
     member: array<abi_Vertex>,
 }
 
@@ -47,12 +83,8 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_16 {
+struct type_41 {
     member: array<abi_Material>,
-}
-
-struct type_20 {
-    member: array<u32>,
 }
 
 struct texture_TexelQuad {
@@ -64,28 +96,6 @@ struct texture_Axis {
     low: u32,
     high: u32,
     fraction: f32,
-}
-
-struct abi_Sample {
-    position: vec3<f32>,
-    magnitude: f32,
-    normal: vec3<f32>,
-    flags: u32,
-    shading_normal: vec3<f32>,
-    albedo: u32,
-}
-
-struct type_39 {
-    member: array<abi_Sample>,
-}
-
-struct type_43 {
-    member: array<f32>,
-}
-
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -137,416 +147,406 @@ struct type_62 {
     member: abi_ShadowParams,
 }
 
-struct evaluate_Verdict {
-    visibility: f32,
-    is_doubted: bool,
-}
-
-struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    unnamed: evaluate_Verdict,
-    unnamed_1: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_39;
+var<storage> samples: type_9;
+@group(0) @binding(4) 
+var<storage, read_write> visibility: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_20;
+var<storage> alpha_texels: type_13;
 @group(0) @binding(0) 
 var<uniform> p: type_62;
 @group(0) @binding(2) 
 var<storage> nodes: type_54;
 @group(0) @binding(3) 
-var<storage> triangles: type_7;
-@group(0) @binding(4) 
-var<storage, read_write> visibility: type_43;
+var<storage> triangles: type_33;
 @group(0) @binding(5) 
-var<storage> vertices: type_11;
+var<storage> vertices: type_37;
 @group(0) @binding(6) 
-var<storage> materials: type_16;
+var<storage> materials: type_41;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_239_: f32;
-    var phi_244_: f32;
-    var phi_245_: bool;
-    var phi_246_: f32;
-    var phi_247_: bool;
-    var phi_251_: f32;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_217_: lt_bvh_traverse_Tree;
+    var phi_218_: bool;
+    var phi_219_: lt_bvh_traverse_Tree;
+    var phi_220_: bool;
+    var phi_225_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_217_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_218_ = false;
+        } else {
+            phi_217_ = lt_bvh_traverse_Tree();
+            phi_218_ = true;
+        }
+        let _e81 = phi_217_;
+        let _e83 = phi_218_;
+        phi_219_ = _e81;
+        phi_220_ = _e83;
+    } else {
+        phi_219_ = lt_bvh_traverse_Tree();
+        phi_220_ = true;
+    }
+    let _e85 = phi_219_;
+    let _e87 = phi_220_;
+    if _e87 {
+        phi_225_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_225_ = _e85;
+    }
+    let _e92 = phi_225_;
+    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_270_: f32;
+    var phi_275_: f32;
+    var phi_276_: bool;
     var phi_277_: f32;
+    var phi_278_: bool;
     var phi_282_: f32;
-    var phi_283_: bool;
-    var phi_284_: f32;
-    var phi_285_: bool;
-    var phi_289_: f32;
-    var phi_297_: f32;
-    var phi_298_: f32;
-    var phi_299_: f32;
     var phi_308_: f32;
-    var phi_309_: f32;
-    var phi_327_: u32;
-    var phi_341_: u32;
-    var phi_348_: u32;
-    var phi_353_: u32;
-    var phi_359_: u32;
-    var phi_364_: u32;
-    var phi_366_: texture_Axis;
-    var phi_394_: f32;
-    var phi_399_: f32;
-    var phi_400_: bool;
-    var phi_401_: f32;
-    var phi_402_: bool;
-    var phi_406_: f32;
+    var phi_313_: f32;
+    var phi_314_: bool;
+    var phi_315_: f32;
+    var phi_316_: bool;
+    var phi_320_: f32;
+    var phi_328_: f32;
+    var phi_329_: f32;
+    var phi_330_: f32;
+    var phi_339_: f32;
+    var phi_340_: f32;
+    var phi_358_: u32;
+    var phi_372_: u32;
+    var phi_379_: u32;
+    var phi_384_: u32;
+    var phi_390_: u32;
+    var phi_395_: u32;
+    var phi_397_: texture_Axis;
+    var phi_425_: f32;
+    var phi_430_: f32;
+    var phi_431_: bool;
     var phi_432_: f32;
+    var phi_433_: bool;
     var phi_437_: f32;
-    var phi_438_: bool;
-    var phi_439_: f32;
-    var phi_440_: bool;
-    var phi_444_: f32;
-    var phi_452_: f32;
-    var phi_453_: f32;
-    var phi_454_: f32;
     var phi_463_: f32;
-    var phi_464_: f32;
-    var phi_482_: u32;
-    var phi_496_: u32;
-    var phi_503_: u32;
-    var phi_508_: u32;
-    var phi_514_: u32;
-    var phi_519_: u32;
-    var phi_521_: texture_Axis;
+    var phi_468_: f32;
+    var phi_469_: bool;
+    var phi_470_: f32;
+    var phi_471_: bool;
+    var phi_475_: f32;
+    var phi_483_: f32;
+    var phi_484_: f32;
+    var phi_485_: f32;
+    var phi_494_: f32;
+    var phi_495_: f32;
+    var phi_513_: u32;
+    var phi_527_: u32;
+    var phi_534_: u32;
+    var phi_539_: u32;
+    var phi_545_: u32;
+    var phi_550_: u32;
+    var phi_552_: texture_Axis;
 
-    let _e72 = (*param).size;
+    let _e72 = (*param_3).size;
     let _e73 = (_e72 & 65535u);
-    let _e75 = (*param).size;
+    let _e75 = (*param_3).size;
     let _e77 = (_e75 >> bitcast<u32>(16i));
-    let _e79 = (*param).flags;
+    let _e79 = (*param_3).flags;
     let _e81 = ((_e79 & 4u) != 0u);
-    let _e83 = (*param).flags;
+    let _e83 = (*param_3).flags;
     let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
     if (_e86 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e99 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e99 > param_1) {
-                phi_239_ = 1f;
+        if (param_4 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e99 > param_4) {
+                phi_270_ = 1f;
             } else {
-                phi_239_ = 0f;
+                phi_270_ = 0f;
             }
-            let _e102 = phi_239_;
-            if (param_1 < 8388608f) {
-                phi_244_ = (_e99 - _e102);
-                phi_245_ = false;
+            let _e102 = phi_270_;
+            if (param_4 < 8388608f) {
+                phi_275_ = (_e99 - _e102);
+                phi_276_ = false;
             } else {
-                phi_244_ = f32();
-                phi_245_ = true;
+                phi_275_ = f32();
+                phi_276_ = true;
             }
-            let _e105 = phi_244_;
-            let _e107 = phi_245_;
-            phi_246_ = _e105;
-            phi_247_ = _e107;
+            let _e105 = phi_275_;
+            let _e107 = phi_276_;
+            phi_277_ = _e105;
+            phi_278_ = _e107;
         } else {
-            phi_246_ = f32();
-            phi_247_ = true;
+            phi_277_ = f32();
+            phi_278_ = true;
         }
-        let _e109 = phi_246_;
-        let _e111 = phi_247_;
+        let _e109 = phi_277_;
+        let _e111 = phi_278_;
         if _e111 {
-            phi_251_ = param_1;
+            phi_282_ = param_4;
         } else {
-            phi_251_ = _e109;
+            phi_282_ = _e109;
         }
-        let _e113 = phi_251_;
-        phi_299_ = (param_1 - _e113);
+        let _e113 = phi_282_;
+        phi_330_ = (param_4 - _e113);
     } else {
         if (_e86 == 1u) {
-            let _e116 = (param_1 * 0.5f);
+            let _e116 = (param_4 * 0.5f);
             if (_e116 > -8388608f) {
                 let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
                 if (_e128 > _e116) {
-                    phi_277_ = 1f;
+                    phi_308_ = 1f;
                 } else {
-                    phi_277_ = 0f;
+                    phi_308_ = 0f;
                 }
-                let _e131 = phi_277_;
+                let _e131 = phi_308_;
                 if (_e116 < 8388608f) {
-                    phi_282_ = (_e128 - _e131);
-                    phi_283_ = false;
+                    phi_313_ = (_e128 - _e131);
+                    phi_314_ = false;
                 } else {
-                    phi_282_ = f32();
-                    phi_283_ = true;
+                    phi_313_ = f32();
+                    phi_314_ = true;
                 }
-                let _e134 = phi_282_;
-                let _e136 = phi_283_;
-                phi_284_ = _e134;
-                phi_285_ = _e136;
+                let _e134 = phi_313_;
+                let _e136 = phi_314_;
+                phi_315_ = _e134;
+                phi_316_ = _e136;
             } else {
-                phi_284_ = f32();
-                phi_285_ = true;
+                phi_315_ = f32();
+                phi_316_ = true;
             }
-            let _e138 = phi_284_;
-            let _e140 = phi_285_;
+            let _e138 = phi_315_;
+            let _e140 = phi_316_;
             if _e140 {
-                phi_289_ = _e116;
+                phi_320_ = _e116;
             } else {
-                phi_289_ = _e138;
+                phi_320_ = _e138;
             }
-            let _e142 = phi_289_;
-            let _e144 = (param_1 - (2f * _e142));
+            let _e142 = phi_320_;
+            let _e144 = (param_4 - (2f * _e142));
             if (_e144 > 1f) {
-                phi_297_ = (2f - _e144);
+                phi_328_ = (2f - _e144);
             } else {
-                phi_297_ = _e144;
+                phi_328_ = _e144;
             }
-            let _e148 = phi_297_;
-            phi_298_ = _e148;
+            let _e148 = phi_328_;
+            phi_329_ = _e148;
         } else {
-            phi_298_ = param_1;
+            phi_329_ = param_4;
         }
-        let _e150 = phi_298_;
-        phi_299_ = _e150;
+        let _e150 = phi_329_;
+        phi_330_ = _e150;
     }
-    let _e152 = phi_299_;
+    let _e152 = phi_330_;
     if (_e152 > 0f) {
         if (_e152 < 1f) {
-            phi_308_ = _e152;
+            phi_339_ = _e152;
         } else {
-            phi_308_ = 1f;
+            phi_339_ = 1f;
         }
-        let _e156 = phi_308_;
-        phi_309_ = _e156;
+        let _e156 = phi_339_;
+        phi_340_ = _e156;
     } else {
-        phi_309_ = 0f;
+        phi_340_ = 0f;
     }
-    let _e158 = phi_309_;
+    let _e158 = phi_340_;
     let _e159 = (_e73 - 1u);
     let _e161 = (_e158 * f32(_e73));
     if _e81 {
         let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
         if (_e159 < _e168) {
-            phi_327_ = _e159;
+            phi_358_ = _e159;
         } else {
-            phi_327_ = _e168;
+            phi_358_ = _e168;
         }
-        let _e171 = phi_327_;
-        phi_366_ = texture_Axis(_e171, _e171, 0f);
+        let _e171 = phi_358_;
+        phi_397_ = texture_Axis(_e171, _e171, 0f);
     } else {
         let _e173 = (_e161 + 0.5f);
         let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
         if (_e73 < _e180) {
-            phi_341_ = _e73;
+            phi_372_ = _e73;
         } else {
-            phi_341_ = _e180;
+            phi_372_ = _e180;
         }
-        let _e183 = phi_341_;
+        let _e183 = phi_372_;
         if (_e86 == 0u) {
-            phi_348_ = _e159;
+            phi_379_ = _e159;
         } else {
-            phi_348_ = 0u;
+            phi_379_ = 0u;
         }
-        let _e188 = phi_348_;
+        let _e188 = phi_379_;
         if (_e86 == 0u) {
-            phi_353_ = 0u;
+            phi_384_ = 0u;
         } else {
-            phi_353_ = _e159;
+            phi_384_ = _e159;
         }
-        let _e191 = phi_353_;
+        let _e191 = phi_384_;
         if (_e183 == 0u) {
-            phi_359_ = _e188;
+            phi_390_ = _e188;
         } else {
-            phi_359_ = (_e183 - 1u);
+            phi_390_ = (_e183 - 1u);
         }
-        let _e195 = phi_359_;
+        let _e195 = phi_390_;
         if (_e183 > _e159) {
-            phi_364_ = _e191;
+            phi_395_ = _e191;
         } else {
-            phi_364_ = _e183;
+            phi_395_ = _e183;
         }
-        let _e198 = phi_364_;
-        phi_366_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e198 = phi_395_;
+        phi_397_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e201 = phi_366_;
-    let _e203 = (*param).flags;
+    let _e201 = phi_397_;
+    let _e203 = (*param_3).flags;
     let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
     if (_e206 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e219 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e219 > param_2) {
-                phi_394_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e219 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e219 > param_5) {
+                phi_425_ = 1f;
             } else {
-                phi_394_ = 0f;
+                phi_425_ = 0f;
             }
-            let _e222 = phi_394_;
-            if (param_2 < 8388608f) {
-                phi_399_ = (_e219 - _e222);
-                phi_400_ = false;
+            let _e222 = phi_425_;
+            if (param_5 < 8388608f) {
+                phi_430_ = (_e219 - _e222);
+                phi_431_ = false;
             } else {
-                phi_399_ = f32();
-                phi_400_ = true;
+                phi_430_ = f32();
+                phi_431_ = true;
             }
-            let _e225 = phi_399_;
-            let _e227 = phi_400_;
-            phi_401_ = _e225;
-            phi_402_ = _e227;
+            let _e225 = phi_430_;
+            let _e227 = phi_431_;
+            phi_432_ = _e225;
+            phi_433_ = _e227;
         } else {
-            phi_401_ = f32();
-            phi_402_ = true;
+            phi_432_ = f32();
+            phi_433_ = true;
         }
-        let _e229 = phi_401_;
-        let _e231 = phi_402_;
+        let _e229 = phi_432_;
+        let _e231 = phi_433_;
         if _e231 {
-            phi_406_ = param_2;
+            phi_437_ = param_5;
         } else {
-            phi_406_ = _e229;
+            phi_437_ = _e229;
         }
-        let _e233 = phi_406_;
-        phi_454_ = (param_2 - _e233);
+        let _e233 = phi_437_;
+        phi_485_ = (param_5 - _e233);
     } else {
         if (_e206 == 1u) {
-            let _e236 = (param_2 * 0.5f);
+            let _e236 = (param_5 * 0.5f);
             if (_e236 > -8388608f) {
                 let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
                 if (_e248 > _e236) {
-                    phi_432_ = 1f;
+                    phi_463_ = 1f;
                 } else {
-                    phi_432_ = 0f;
+                    phi_463_ = 0f;
                 }
-                let _e251 = phi_432_;
+                let _e251 = phi_463_;
                 if (_e236 < 8388608f) {
-                    phi_437_ = (_e248 - _e251);
-                    phi_438_ = false;
+                    phi_468_ = (_e248 - _e251);
+                    phi_469_ = false;
                 } else {
-                    phi_437_ = f32();
-                    phi_438_ = true;
+                    phi_468_ = f32();
+                    phi_469_ = true;
                 }
-                let _e254 = phi_437_;
-                let _e256 = phi_438_;
-                phi_439_ = _e254;
-                phi_440_ = _e256;
+                let _e254 = phi_468_;
+                let _e256 = phi_469_;
+                phi_470_ = _e254;
+                phi_471_ = _e256;
             } else {
-                phi_439_ = f32();
-                phi_440_ = true;
+                phi_470_ = f32();
+                phi_471_ = true;
             }
-            let _e258 = phi_439_;
-            let _e260 = phi_440_;
+            let _e258 = phi_470_;
+            let _e260 = phi_471_;
             if _e260 {
-                phi_444_ = _e236;
+                phi_475_ = _e236;
             } else {
-                phi_444_ = _e258;
+                phi_475_ = _e258;
             }
-            let _e262 = phi_444_;
-            let _e264 = (param_2 - (2f * _e262));
+            let _e262 = phi_475_;
+            let _e264 = (param_5 - (2f * _e262));
             if (_e264 > 1f) {
-                phi_452_ = (2f - _e264);
+                phi_483_ = (2f - _e264);
             } else {
-                phi_452_ = _e264;
+                phi_483_ = _e264;
             }
-            let _e268 = phi_452_;
-            phi_453_ = _e268;
+            let _e268 = phi_483_;
+            phi_484_ = _e268;
         } else {
-            phi_453_ = param_2;
+            phi_484_ = param_5;
         }
-        let _e270 = phi_453_;
-        phi_454_ = _e270;
+        let _e270 = phi_484_;
+        phi_485_ = _e270;
     }
-    let _e272 = phi_454_;
+    let _e272 = phi_485_;
     if (_e272 > 0f) {
         if (_e272 < 1f) {
-            phi_463_ = _e272;
+            phi_494_ = _e272;
         } else {
-            phi_463_ = 1f;
+            phi_494_ = 1f;
         }
-        let _e276 = phi_463_;
-        phi_464_ = _e276;
+        let _e276 = phi_494_;
+        phi_495_ = _e276;
     } else {
-        phi_464_ = 0f;
+        phi_495_ = 0f;
     }
-    let _e278 = phi_464_;
+    let _e278 = phi_495_;
     let _e279 = (_e77 - 1u);
     let _e281 = (_e278 * f32(_e77));
     if _e81 {
         let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
         if (_e279 < _e288) {
-            phi_482_ = _e279;
+            phi_513_ = _e279;
         } else {
-            phi_482_ = _e288;
+            phi_513_ = _e288;
         }
-        let _e291 = phi_482_;
-        phi_521_ = texture_Axis(_e291, _e291, 0f);
+        let _e291 = phi_513_;
+        phi_552_ = texture_Axis(_e291, _e291, 0f);
     } else {
         let _e293 = (_e281 + 0.5f);
         let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
         if (_e77 < _e300) {
-            phi_496_ = _e77;
+            phi_527_ = _e77;
         } else {
-            phi_496_ = _e300;
+            phi_527_ = _e300;
         }
-        let _e303 = phi_496_;
+        let _e303 = phi_527_;
         if (_e206 == 0u) {
-            phi_503_ = _e279;
+            phi_534_ = _e279;
         } else {
-            phi_503_ = 0u;
+            phi_534_ = 0u;
         }
-        let _e308 = phi_503_;
+        let _e308 = phi_534_;
         if (_e206 == 0u) {
-            phi_508_ = 0u;
+            phi_539_ = 0u;
         } else {
-            phi_508_ = _e279;
+            phi_539_ = _e279;
         }
-        let _e311 = phi_508_;
+        let _e311 = phi_539_;
         if (_e303 == 0u) {
-            phi_514_ = _e308;
+            phi_545_ = _e308;
         } else {
-            phi_514_ = (_e303 - 1u);
+            phi_545_ = (_e303 - 1u);
         }
-        let _e315 = phi_514_;
+        let _e315 = phi_545_;
         if (_e303 > _e279) {
-            phi_519_ = _e311;
+            phi_550_ = _e311;
         } else {
-            phi_519_ = _e303;
+            phi_550_ = _e303;
         }
-        let _e318 = phi_519_;
-        phi_521_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e318 = phi_550_;
+        phi_552_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e321 = phi_521_;
-    let _e325 = (*param).offset;
-    let _e332 = (*param).offset;
-    let _e339 = (*param).offset;
-    let _e346 = (*param).offset;
+    let _e321 = phi_552_;
+    let _e325 = (*param_3).offset;
+    let _e332 = (*param_3).offset;
+    let _e339 = (*param_3).offset;
+    let _e346 = (*param_3).offset;
     return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
-    var phi_588_: lt_bvh_traverse_Tree;
-    var phi_589_: bool;
-    var phi_590_: lt_bvh_traverse_Tree;
-    var phi_591_: bool;
-    var phi_596_: lt_bvh_traverse_Tree;
-
-    if (param_3.x < param_4) {
-        if (param_3.y < param_5) {
-            phi_588_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
-            phi_589_ = false;
-        } else {
-            phi_588_ = lt_bvh_traverse_Tree();
-            phi_589_ = true;
-        }
-        let _e81 = phi_588_;
-        let _e83 = phi_589_;
-        phi_590_ = _e81;
-        phi_591_ = _e83;
-    } else {
-        phi_590_ = lt_bvh_traverse_Tree();
-        phi_591_ = true;
-    }
-    let _e85 = phi_590_;
-    let _e87 = phi_591_;
-    if _e87 {
-        phi_596_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_596_ = _e85;
-    }
-    let _e92 = phi_596_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_6: f32, param_7: f32) -> f32 {

@@ -1,3 +1,35 @@
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<f32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
+struct evaluate_Verdict {
+    visibility: f32,
+    is_doubted: bool,
+}
+
+struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
+    unnamed: evaluate_Verdict,
+    unnamed_1: bool,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -14,30 +46,8 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_6 {
+struct type_28 {
     member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Sample {
-    position: vec3<f32>,
-    magnitude: f32,
-    normal: vec3<f32>,
-    flags: u32,
-    shading_normal: vec3<f32>,
-    albedo: u32,
-}
-
-struct type_22 {
-    member: array<abi_Sample>,
-}
-
-struct type_26 {
-    member: array<f32>,
-}
-
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -89,28 +99,18 @@ struct type_45 {
     member: abi_ShadowParams,
 }
 
-struct evaluate_Verdict {
-    visibility: f32,
-    is_doubted: bool,
-}
-
-struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    unnamed: evaluate_Verdict,
-    unnamed_1: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_22;
+var<storage> samples: type_9;
+@group(0) @binding(4) 
+var<storage, read_write> visibility: type_13;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_45;
 @group(0) @binding(2) 
 var<storage> nodes: type_37;
 @group(0) @binding(3) 
-var<storage> triangles: type_6;
-@group(0) @binding(4) 
-var<storage, read_write> visibility: type_26;
+var<storage> triangles: type_28;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_168_: lt_bvh_traverse_Tree;

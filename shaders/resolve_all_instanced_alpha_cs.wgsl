@@ -1,3 +1,39 @@
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
+struct type_17 {
+    member: array<f32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
+struct evaluate_Verdict {
+    visibility: f32,
+    is_doubted: bool,
+}
+
+struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
+    unnamed: evaluate_Verdict,
+    unnamed_1: bool,
+}
+
 struct texture_TextureView {
     offset: u32,
     size: u32,
@@ -20,7 +56,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_7 {
+struct type_34 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -32,7 +68,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_11 {
+struct type_38 {
     member: array<abi_Vertex>,
 }
 
@@ -47,12 +83,8 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_16 {
+struct type_42 {
     member: array<abi_Material>,
-}
-
-struct type_20 {
-    member: array<u32>,
 }
 
 struct texture_TexelQuad {
@@ -77,30 +109,8 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_38 {
+struct type_53 {
     member: array<lt_bvh_Instance>,
-}
-
-struct abi_Sample {
-    position: vec3<f32>,
-    magnitude: f32,
-    normal: vec3<f32>,
-    flags: u32,
-    shading_normal: vec3<f32>,
-    albedo: u32,
-}
-
-struct type_47 {
-    member: array<abi_Sample>,
-}
-
-struct type_51 {
-    member: array<f32>,
-}
-
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -152,418 +162,408 @@ struct type_70 {
     member: abi_ShadowParams,
 }
 
-struct evaluate_Verdict {
-    visibility: f32,
-    is_doubted: bool,
-}
-
-struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    unnamed: evaluate_Verdict,
-    unnamed_1: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_47;
+var<storage> samples: type_9;
+@group(0) @binding(4) 
+var<storage, read_write> visibility: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_70;
 @group(0) @binding(2) 
 var<storage> nodes: type_62;
 @group(0) @binding(3) 
-var<storage> triangles: type_7;
-@group(0) @binding(4) 
-var<storage, read_write> visibility: type_51;
+var<storage> triangles: type_34;
 @group(0) @binding(6) 
-var<storage> vertices: type_11;
+var<storage> vertices: type_38;
 @group(0) @binding(7) 
-var<storage> materials: type_16;
+var<storage> materials: type_42;
 @group(0) @binding(8) 
-var<storage> alpha_texels: type_20;
+var<storage> alpha_texels: type_13;
 @group(0) @binding(5) 
-var<storage> instances: type_38;
+var<storage> instances: type_53;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_251_: f32;
-    var phi_256_: f32;
-    var phi_257_: bool;
-    var phi_258_: f32;
-    var phi_259_: bool;
-    var phi_263_: f32;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_229_: lt_bvh_traverse_Tree;
+    var phi_230_: bool;
+    var phi_231_: lt_bvh_traverse_Tree;
+    var phi_232_: bool;
+    var phi_237_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_229_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_230_ = false;
+        } else {
+            phi_229_ = lt_bvh_traverse_Tree();
+            phi_230_ = true;
+        }
+        let _e81 = phi_229_;
+        let _e83 = phi_230_;
+        phi_231_ = _e81;
+        phi_232_ = _e83;
+    } else {
+        phi_231_ = lt_bvh_traverse_Tree();
+        phi_232_ = true;
+    }
+    let _e85 = phi_231_;
+    let _e87 = phi_232_;
+    if _e87 {
+        phi_237_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_237_ = _e85;
+    }
+    let _e92 = phi_237_;
+    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_282_: f32;
+    var phi_287_: f32;
+    var phi_288_: bool;
     var phi_289_: f32;
+    var phi_290_: bool;
     var phi_294_: f32;
-    var phi_295_: bool;
-    var phi_296_: f32;
-    var phi_297_: bool;
-    var phi_301_: f32;
-    var phi_309_: f32;
-    var phi_310_: f32;
-    var phi_311_: f32;
     var phi_320_: f32;
-    var phi_321_: f32;
-    var phi_339_: u32;
-    var phi_353_: u32;
-    var phi_360_: u32;
-    var phi_365_: u32;
-    var phi_371_: u32;
-    var phi_376_: u32;
-    var phi_378_: texture_Axis;
-    var phi_406_: f32;
-    var phi_411_: f32;
-    var phi_412_: bool;
-    var phi_413_: f32;
-    var phi_414_: bool;
-    var phi_418_: f32;
+    var phi_325_: f32;
+    var phi_326_: bool;
+    var phi_327_: f32;
+    var phi_328_: bool;
+    var phi_332_: f32;
+    var phi_340_: f32;
+    var phi_341_: f32;
+    var phi_342_: f32;
+    var phi_351_: f32;
+    var phi_352_: f32;
+    var phi_370_: u32;
+    var phi_384_: u32;
+    var phi_391_: u32;
+    var phi_396_: u32;
+    var phi_402_: u32;
+    var phi_407_: u32;
+    var phi_409_: texture_Axis;
+    var phi_437_: f32;
+    var phi_442_: f32;
+    var phi_443_: bool;
     var phi_444_: f32;
+    var phi_445_: bool;
     var phi_449_: f32;
-    var phi_450_: bool;
-    var phi_451_: f32;
-    var phi_452_: bool;
-    var phi_456_: f32;
-    var phi_464_: f32;
-    var phi_465_: f32;
-    var phi_466_: f32;
     var phi_475_: f32;
-    var phi_476_: f32;
-    var phi_494_: u32;
-    var phi_508_: u32;
-    var phi_515_: u32;
-    var phi_520_: u32;
-    var phi_526_: u32;
-    var phi_531_: u32;
-    var phi_533_: texture_Axis;
+    var phi_480_: f32;
+    var phi_481_: bool;
+    var phi_482_: f32;
+    var phi_483_: bool;
+    var phi_487_: f32;
+    var phi_495_: f32;
+    var phi_496_: f32;
+    var phi_497_: f32;
+    var phi_506_: f32;
+    var phi_507_: f32;
+    var phi_525_: u32;
+    var phi_539_: u32;
+    var phi_546_: u32;
+    var phi_551_: u32;
+    var phi_557_: u32;
+    var phi_562_: u32;
+    var phi_564_: texture_Axis;
 
-    let _e72 = (*param).size;
+    let _e72 = (*param_3).size;
     let _e73 = (_e72 & 65535u);
-    let _e75 = (*param).size;
+    let _e75 = (*param_3).size;
     let _e77 = (_e75 >> bitcast<u32>(16i));
-    let _e79 = (*param).flags;
+    let _e79 = (*param_3).flags;
     let _e81 = ((_e79 & 4u) != 0u);
-    let _e83 = (*param).flags;
+    let _e83 = (*param_3).flags;
     let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
     if (_e86 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e99 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e99 > param_1) {
-                phi_251_ = 1f;
+        if (param_4 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e99 > param_4) {
+                phi_282_ = 1f;
             } else {
-                phi_251_ = 0f;
+                phi_282_ = 0f;
             }
-            let _e102 = phi_251_;
-            if (param_1 < 8388608f) {
-                phi_256_ = (_e99 - _e102);
-                phi_257_ = false;
+            let _e102 = phi_282_;
+            if (param_4 < 8388608f) {
+                phi_287_ = (_e99 - _e102);
+                phi_288_ = false;
             } else {
-                phi_256_ = f32();
-                phi_257_ = true;
+                phi_287_ = f32();
+                phi_288_ = true;
             }
-            let _e105 = phi_256_;
-            let _e107 = phi_257_;
-            phi_258_ = _e105;
-            phi_259_ = _e107;
+            let _e105 = phi_287_;
+            let _e107 = phi_288_;
+            phi_289_ = _e105;
+            phi_290_ = _e107;
         } else {
-            phi_258_ = f32();
-            phi_259_ = true;
+            phi_289_ = f32();
+            phi_290_ = true;
         }
-        let _e109 = phi_258_;
-        let _e111 = phi_259_;
+        let _e109 = phi_289_;
+        let _e111 = phi_290_;
         if _e111 {
-            phi_263_ = param_1;
+            phi_294_ = param_4;
         } else {
-            phi_263_ = _e109;
+            phi_294_ = _e109;
         }
-        let _e113 = phi_263_;
-        phi_311_ = (param_1 - _e113);
+        let _e113 = phi_294_;
+        phi_342_ = (param_4 - _e113);
     } else {
         if (_e86 == 1u) {
-            let _e116 = (param_1 * 0.5f);
+            let _e116 = (param_4 * 0.5f);
             if (_e116 > -8388608f) {
                 let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
                 if (_e128 > _e116) {
-                    phi_289_ = 1f;
+                    phi_320_ = 1f;
                 } else {
-                    phi_289_ = 0f;
+                    phi_320_ = 0f;
                 }
-                let _e131 = phi_289_;
+                let _e131 = phi_320_;
                 if (_e116 < 8388608f) {
-                    phi_294_ = (_e128 - _e131);
-                    phi_295_ = false;
+                    phi_325_ = (_e128 - _e131);
+                    phi_326_ = false;
                 } else {
-                    phi_294_ = f32();
-                    phi_295_ = true;
+                    phi_325_ = f32();
+                    phi_326_ = true;
                 }
-                let _e134 = phi_294_;
-                let _e136 = phi_295_;
-                phi_296_ = _e134;
-                phi_297_ = _e136;
+                let _e134 = phi_325_;
+                let _e136 = phi_326_;
+                phi_327_ = _e134;
+                phi_328_ = _e136;
             } else {
-                phi_296_ = f32();
-                phi_297_ = true;
+                phi_327_ = f32();
+                phi_328_ = true;
             }
-            let _e138 = phi_296_;
-            let _e140 = phi_297_;
+            let _e138 = phi_327_;
+            let _e140 = phi_328_;
             if _e140 {
-                phi_301_ = _e116;
+                phi_332_ = _e116;
             } else {
-                phi_301_ = _e138;
+                phi_332_ = _e138;
             }
-            let _e142 = phi_301_;
-            let _e144 = (param_1 - (2f * _e142));
+            let _e142 = phi_332_;
+            let _e144 = (param_4 - (2f * _e142));
             if (_e144 > 1f) {
-                phi_309_ = (2f - _e144);
+                phi_340_ = (2f - _e144);
             } else {
-                phi_309_ = _e144;
+                phi_340_ = _e144;
             }
-            let _e148 = phi_309_;
-            phi_310_ = _e148;
+            let _e148 = phi_340_;
+            phi_341_ = _e148;
         } else {
-            phi_310_ = param_1;
+            phi_341_ = param_4;
         }
-        let _e150 = phi_310_;
-        phi_311_ = _e150;
+        let _e150 = phi_341_;
+        phi_342_ = _e150;
     }
-    let _e152 = phi_311_;
+    let _e152 = phi_342_;
     if (_e152 > 0f) {
         if (_e152 < 1f) {
-            phi_320_ = _e152;
+            phi_351_ = _e152;
         } else {
-            phi_320_ = 1f;
+            phi_351_ = 1f;
         }
-        let _e156 = phi_320_;
-        phi_321_ = _e156;
+        let _e156 = phi_351_;
+        phi_352_ = _e156;
     } else {
-        phi_321_ = 0f;
+        phi_352_ = 0f;
     }
-    let _e158 = phi_321_;
+    let _e158 = phi_352_;
     let _e159 = (_e73 - 1u);
     let _e161 = (_e158 * f32(_e73));
     if _e81 {
         let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
         if (_e159 < _e168) {
-            phi_339_ = _e159;
+            phi_370_ = _e159;
         } else {
-            phi_339_ = _e168;
+            phi_370_ = _e168;
         }
-        let _e171 = phi_339_;
-        phi_378_ = texture_Axis(_e171, _e171, 0f);
+        let _e171 = phi_370_;
+        phi_409_ = texture_Axis(_e171, _e171, 0f);
     } else {
         let _e173 = (_e161 + 0.5f);
         let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
         if (_e73 < _e180) {
-            phi_353_ = _e73;
+            phi_384_ = _e73;
         } else {
-            phi_353_ = _e180;
+            phi_384_ = _e180;
         }
-        let _e183 = phi_353_;
+        let _e183 = phi_384_;
         if (_e86 == 0u) {
-            phi_360_ = _e159;
+            phi_391_ = _e159;
         } else {
-            phi_360_ = 0u;
+            phi_391_ = 0u;
         }
-        let _e188 = phi_360_;
+        let _e188 = phi_391_;
         if (_e86 == 0u) {
-            phi_365_ = 0u;
+            phi_396_ = 0u;
         } else {
-            phi_365_ = _e159;
+            phi_396_ = _e159;
         }
-        let _e191 = phi_365_;
+        let _e191 = phi_396_;
         if (_e183 == 0u) {
-            phi_371_ = _e188;
+            phi_402_ = _e188;
         } else {
-            phi_371_ = (_e183 - 1u);
+            phi_402_ = (_e183 - 1u);
         }
-        let _e195 = phi_371_;
+        let _e195 = phi_402_;
         if (_e183 > _e159) {
-            phi_376_ = _e191;
+            phi_407_ = _e191;
         } else {
-            phi_376_ = _e183;
+            phi_407_ = _e183;
         }
-        let _e198 = phi_376_;
-        phi_378_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e198 = phi_407_;
+        phi_409_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e201 = phi_378_;
-    let _e203 = (*param).flags;
+    let _e201 = phi_409_;
+    let _e203 = (*param_3).flags;
     let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
     if (_e206 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e219 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e219 > param_2) {
-                phi_406_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e219 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e219 > param_5) {
+                phi_437_ = 1f;
             } else {
-                phi_406_ = 0f;
+                phi_437_ = 0f;
             }
-            let _e222 = phi_406_;
-            if (param_2 < 8388608f) {
-                phi_411_ = (_e219 - _e222);
-                phi_412_ = false;
+            let _e222 = phi_437_;
+            if (param_5 < 8388608f) {
+                phi_442_ = (_e219 - _e222);
+                phi_443_ = false;
             } else {
-                phi_411_ = f32();
-                phi_412_ = true;
+                phi_442_ = f32();
+                phi_443_ = true;
             }
-            let _e225 = phi_411_;
-            let _e227 = phi_412_;
-            phi_413_ = _e225;
-            phi_414_ = _e227;
+            let _e225 = phi_442_;
+            let _e227 = phi_443_;
+            phi_444_ = _e225;
+            phi_445_ = _e227;
         } else {
-            phi_413_ = f32();
-            phi_414_ = true;
+            phi_444_ = f32();
+            phi_445_ = true;
         }
-        let _e229 = phi_413_;
-        let _e231 = phi_414_;
+        let _e229 = phi_444_;
+        let _e231 = phi_445_;
         if _e231 {
-            phi_418_ = param_2;
+            phi_449_ = param_5;
         } else {
-            phi_418_ = _e229;
+            phi_449_ = _e229;
         }
-        let _e233 = phi_418_;
-        phi_466_ = (param_2 - _e233);
+        let _e233 = phi_449_;
+        phi_497_ = (param_5 - _e233);
     } else {
         if (_e206 == 1u) {
-            let _e236 = (param_2 * 0.5f);
+            let _e236 = (param_5 * 0.5f);
             if (_e236 > -8388608f) {
                 let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
                 if (_e248 > _e236) {
-                    phi_444_ = 1f;
+                    phi_475_ = 1f;
                 } else {
-                    phi_444_ = 0f;
+                    phi_475_ = 0f;
                 }
-                let _e251 = phi_444_;
+                let _e251 = phi_475_;
                 if (_e236 < 8388608f) {
-                    phi_449_ = (_e248 - _e251);
-                    phi_450_ = false;
+                    phi_480_ = (_e248 - _e251);
+                    phi_481_ = false;
                 } else {
-                    phi_449_ = f32();
-                    phi_450_ = true;
+                    phi_480_ = f32();
+                    phi_481_ = true;
                 }
-                let _e254 = phi_449_;
-                let _e256 = phi_450_;
-                phi_451_ = _e254;
-                phi_452_ = _e256;
+                let _e254 = phi_480_;
+                let _e256 = phi_481_;
+                phi_482_ = _e254;
+                phi_483_ = _e256;
             } else {
-                phi_451_ = f32();
-                phi_452_ = true;
+                phi_482_ = f32();
+                phi_483_ = true;
             }
-            let _e258 = phi_451_;
-            let _e260 = phi_452_;
+            let _e258 = phi_482_;
+            let _e260 = phi_483_;
             if _e260 {
-                phi_456_ = _e236;
+                phi_487_ = _e236;
             } else {
-                phi_456_ = _e258;
+                phi_487_ = _e258;
             }
-            let _e262 = phi_456_;
-            let _e264 = (param_2 - (2f * _e262));
+            let _e262 = phi_487_;
+            let _e264 = (param_5 - (2f * _e262));
             if (_e264 > 1f) {
-                phi_464_ = (2f - _e264);
+                phi_495_ = (2f - _e264);
             } else {
-                phi_464_ = _e264;
+                phi_495_ = _e264;
             }
-            let _e268 = phi_464_;
-            phi_465_ = _e268;
+            let _e268 = phi_495_;
+            phi_496_ = _e268;
         } else {
-            phi_465_ = param_2;
+            phi_496_ = param_5;
         }
-        let _e270 = phi_465_;
-        phi_466_ = _e270;
+        let _e270 = phi_496_;
+        phi_497_ = _e270;
     }
-    let _e272 = phi_466_;
+    let _e272 = phi_497_;
     if (_e272 > 0f) {
         if (_e272 < 1f) {
-            phi_475_ = _e272;
+            phi_506_ = _e272;
         } else {
-            phi_475_ = 1f;
+            phi_506_ = 1f;
         }
-        let _e276 = phi_475_;
-        phi_476_ = _e276;
+        let _e276 = phi_506_;
+        phi_507_ = _e276;
     } else {
-        phi_476_ = 0f;
+        phi_507_ = 0f;
     }
-    let _e278 = phi_476_;
+    let _e278 = phi_507_;
     let _e279 = (_e77 - 1u);
     let _e281 = (_e278 * f32(_e77));
     if _e81 {
         let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
         if (_e279 < _e288) {
-            phi_494_ = _e279;
+            phi_525_ = _e279;
         } else {
-            phi_494_ = _e288;
+            phi_525_ = _e288;
         }
-        let _e291 = phi_494_;
-        phi_533_ = texture_Axis(_e291, _e291, 0f);
+        let _e291 = phi_525_;
+        phi_564_ = texture_Axis(_e291, _e291, 0f);
     } else {
         let _e293 = (_e281 + 0.5f);
         let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
         if (_e77 < _e300) {
-            phi_508_ = _e77;
+            phi_539_ = _e77;
         } else {
-            phi_508_ = _e300;
+            phi_539_ = _e300;
         }
-        let _e303 = phi_508_;
+        let _e303 = phi_539_;
         if (_e206 == 0u) {
-            phi_515_ = _e279;
+            phi_546_ = _e279;
         } else {
-            phi_515_ = 0u;
+            phi_546_ = 0u;
         }
-        let _e308 = phi_515_;
+        let _e308 = phi_546_;
         if (_e206 == 0u) {
-            phi_520_ = 0u;
+            phi_551_ = 0u;
         } else {
-            phi_520_ = _e279;
+            phi_551_ = _e279;
         }
-        let _e311 = phi_520_;
+        let _e311 = phi_551_;
         if (_e303 == 0u) {
-            phi_526_ = _e308;
+            phi_557_ = _e308;
         } else {
-            phi_526_ = (_e303 - 1u);
+            phi_557_ = (_e303 - 1u);
         }
-        let _e315 = phi_526_;
+        let _e315 = phi_557_;
         if (_e303 > _e279) {
-            phi_531_ = _e311;
+            phi_562_ = _e311;
         } else {
-            phi_531_ = _e303;
+            phi_562_ = _e303;
         }
-        let _e318 = phi_531_;
-        phi_533_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e318 = phi_562_;
+        phi_564_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e321 = phi_533_;
-    let _e325 = (*param).offset;
-    let _e332 = (*param).offset;
-    let _e339 = (*param).offset;
-    let _e346 = (*param).offset;
+    let _e321 = phi_564_;
+    let _e325 = (*param_3).offset;
+    let _e332 = (*param_3).offset;
+    let _e339 = (*param_3).offset;
+    let _e346 = (*param_3).offset;
     return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
-}
-
-fn lt_shaders_entry_pixel_index(param_3: vec3<u32>, param_4: u32, param_5: u32) -> lt_bvh_traverse_Tree {
-    var phi_600_: lt_bvh_traverse_Tree;
-    var phi_601_: bool;
-    var phi_602_: lt_bvh_traverse_Tree;
-    var phi_603_: bool;
-    var phi_608_: lt_bvh_traverse_Tree;
-
-    if (param_3.x < param_4) {
-        if (param_3.y < param_5) {
-            phi_600_ = lt_bvh_traverse_Tree(1u, ((param_3.y * param_4) + param_3.x));
-            phi_601_ = false;
-        } else {
-            phi_600_ = lt_bvh_traverse_Tree();
-            phi_601_ = true;
-        }
-        let _e81 = phi_600_;
-        let _e83 = phi_601_;
-        phi_602_ = _e81;
-        phi_603_ = _e83;
-    } else {
-        phi_602_ = lt_bvh_traverse_Tree();
-        phi_603_ = true;
-    }
-    let _e85 = phi_602_;
-    let _e87 = phi_603_;
-    if _e87 {
-        phi_608_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
-        phi_608_ = _e85;
-    }
-    let _e92 = phi_608_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_6: f32, param_7: f32) -> f32 {

@@ -1,3 +1,35 @@
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<f32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
+struct evaluate_Verdict {
+    visibility: f32,
+    is_doubted: bool,
+}
+
+struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
+    unnamed: evaluate_Verdict,
+    unnamed_1: bool,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -14,7 +46,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_6 {
+struct type_29 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -29,30 +61,8 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_21 {
+struct type_36 {
     member: array<lt_bvh_Instance>,
-}
-
-struct abi_Sample {
-    position: vec3<f32>,
-    magnitude: f32,
-    normal: vec3<f32>,
-    flags: u32,
-    shading_normal: vec3<f32>,
-    albedo: u32,
-}
-
-struct type_30 {
-    member: array<abi_Sample>,
-}
-
-struct type_34 {
-    member: array<f32>,
-}
-
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -104,30 +114,20 @@ struct type_53 {
     member: abi_ShadowParams,
 }
 
-struct evaluate_Verdict {
-    visibility: f32,
-    is_doubted: bool,
-}
-
-struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
-    unnamed: evaluate_Verdict,
-    unnamed_1: bool,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_30;
+var<storage> samples: type_9;
+@group(0) @binding(4) 
+var<storage, read_write> visibility: type_13;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_53;
 @group(0) @binding(2) 
 var<storage> nodes: type_45;
 @group(0) @binding(3) 
-var<storage> triangles: type_6;
-@group(0) @binding(4) 
-var<storage, read_write> visibility: type_34;
+var<storage> triangles: type_29;
 @group(0) @binding(5) 
-var<storage> instances: type_21;
+var<storage> instances: type_36;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_183_: lt_bvh_traverse_Tree;

@@ -1,3 +1,29 @@
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
+struct type_17 {
+    member: array<f32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct texture_TextureView {
     offset: u32,
     size: u32,
@@ -20,7 +46,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_7 {
+struct type_31 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -32,7 +58,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_11 {
+struct type_35 {
     member: array<abi_Vertex>,
 }
 
@@ -47,12 +73,8 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_16 {
+struct type_39 {
     member: array<abi_Material>,
-}
-
-struct type_20 {
-    member: array<u32>,
 }
 
 struct texture_TexelQuad {
@@ -77,30 +99,8 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_38 {
+struct type_50 {
     member: array<lt_bvh_Instance>,
-}
-
-struct abi_Sample {
-    position: vec3<f32>,
-    magnitude: f32,
-    normal: vec3<f32>,
-    flags: u32,
-    shading_normal: vec3<f32>,
-    albedo: u32,
-}
-
-struct type_47 {
-    member: array<abi_Sample>,
-}
-
-struct type_51 {
-    member: array<f32>,
-}
-
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -154,25 +154,25 @@ struct type_65 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_47;
+var<storage> samples: type_9;
+@group(0) @binding(4) 
+var<storage, read_write> visibility: type_17;
 @group(0) @binding(6) 
-var<storage> instances: type_38;
+var<storage> instances: type_50;
 @group(0) @binding(0) 
 var<uniform> p: type_65;
 @group(0) @binding(2) 
 var<storage> nodes: type_59;
 @group(0) @binding(3) 
-var<storage> triangles: type_7;
-@group(0) @binding(4) 
-var<storage, read_write> visibility: type_51;
+var<storage> triangles: type_31;
 @group(0) @binding(5) 
-var<storage> list: type_20;
+var<storage> list: type_13;
 @group(0) @binding(7) 
-var<storage> vertices: type_11;
+var<storage> vertices: type_35;
 @group(0) @binding(8) 
-var<storage> materials: type_16;
+var<storage> materials: type_39;
 @group(0) @binding(9) 
-var<storage> alpha_texels: type_20;
+var<storage> alpha_texels: type_13;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
     var phi_235_: f32;

@@ -1,3 +1,29 @@
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
+struct type_17 {
+    member: array<f32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
@@ -14,12 +40,8 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_6 {
+struct type_30 {
     member: array<lt_bvh_Triangle>,
-}
-
-struct type_11 {
-    member: array<u32>,
 }
 
 struct lt_bvh_Instance {
@@ -33,30 +55,8 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_25 {
+struct type_37 {
     member: array<lt_bvh_Instance>,
-}
-
-struct abi_Sample {
-    position: vec3<f32>,
-    magnitude: f32,
-    normal: vec3<f32>,
-    flags: u32,
-    shading_normal: vec3<f32>,
-    albedo: u32,
-}
-
-struct type_34 {
-    member: array<abi_Sample>,
-}
-
-struct type_38 {
-    member: array<f32>,
-}
-
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -110,19 +110,19 @@ struct type_52 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_34;
+var<storage> samples: type_9;
+@group(0) @binding(4) 
+var<storage, read_write> visibility: type_17;
 @group(0) @binding(6) 
-var<storage> instances: type_25;
+var<storage> instances: type_37;
 @group(0) @binding(0) 
 var<uniform> p: type_52;
 @group(0) @binding(2) 
 var<storage> nodes: type_46;
 @group(0) @binding(3) 
-var<storage> triangles: type_6;
-@group(0) @binding(4) 
-var<storage, read_write> visibility: type_38;
+var<storage> triangles: type_30;
 @group(0) @binding(5) 
-var<storage> list: type_11;
+var<storage> list: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
     var phi_161_: bool;

@@ -11,7 +11,7 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
-struct type_12 {
+struct type_8 {
     member: array<f32>,
 }
 
@@ -28,7 +28,7 @@ var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> p: type_16;
 @group(0) @binding(1) 
-var<storage> visibility: type_12;
+var<storage> visibility: type_8;
 @group(0) @binding(2) 
 var target_: texture_storage_2d<r32float,read_write>;
 

@@ -52,9 +52,18 @@ pub struct CompareArgs {
     /// Print every technique id with a line about it, and stop
     #[arg(long, help_heading = "Techniques")]
     pub list: bool,
-    /// Timed repeats of every technique, after one to warm up
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = value_parser!(u16).range(1..=1000))]
-    pub repeats: u16,
+    /// Timed repeats of every technique, after one to warm up [default: 5]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1000), conflicts_with = "frames")]
+    pub repeats: Option<u16>,
+    /// Play this many frames along a camera path, node animations running at 60 per second
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(2..=10_000), help_heading = "Frames")]
+    pub frames: Option<u16>,
+    /// Play the frames with nothing moving: errors are the last frame's, and every flip is counted
+    #[arg(long, requires = "frames", conflicts_with = "motion", help_heading = "Frames")]
+    pub still: bool,
+    /// How fast the camera moves: median motion per frame, in pixels of a picture 1920 wide [default: 2]
+    #[arg(long, value_name = "PX", requires = "frames", value_parser = values::motion, help_heading = "Frames")]
+    pub motion: Option<f32>,
     /// Folder to write into, created if need be
     #[arg(long, value_name = "DIR", default_value = "lt-out")]
     pub out: PathBuf,
@@ -159,19 +168,20 @@ mod tests {
     #[test]
     fn the_default_techniques_are_the_gathering_ones() {
         let expected =
-            "ray sm pcf vsm esm evsm msm msm-hausdorff ltt-vsm ltt-esm ltt-evsm ltt-msm ltt-msm-hausdorff";
+            "ray sm pcf vsm esm evsm msm msm-hausdorff ltt-vsm ltt-esm ltt-evsm ltt-msm ltt-msm-hausdorff \
+             lt-vsm lt-esm lt-evsm lt-msm lt-msm-hausdorff";
         assert_eq!(ids(&[]), expected.split(' ').collect::<Vec<_>>());
     }
 
     #[test]
     fn all_adds_the_prefiltered_ones() {
         let all = ids(&["--all"]);
-        assert_eq!(all.len(), 23);
+        assert_eq!(all.len(), 33);
         assert!(all.contains(&"vsm:prefiltered".into()) && all.contains(&"ltt-msm:prefiltered".into()));
         assert!(!all.contains(&"sm:prefiltered".into()));
         let hybrids = ids(&["--all-hybrids"]);
-        assert_eq!(hybrids.len(), 11);
-        assert!(hybrids.iter().all(|id| id == "ray" || id.starts_with("ltt-")));
+        assert_eq!(hybrids.len(), 21);
+        assert!(hybrids.iter().all(|id| id == "ray" || id.starts_with("ltt-") || id.starts_with("lt-")));
     }
 
     #[test]
@@ -194,6 +204,11 @@ mod tests {
             &["compare", "--techniques", ""],
             &["compare", "--all", "--all-hybrids"],
             &["compare", "--repeats", "0"],
+            &["compare", "--frames", "1"],
+            &["compare", "--still"],
+            &["compare", "--frames", "8", "--repeats", "2"],
+            &["compare", "--frames", "8", "--still", "--motion", "3"],
+            &["compare", "--frames", "8", "--motion", "0"],
             &["render", "street", "--out", "shadow.jpg"],
             &["frobnicate"],
             &[],

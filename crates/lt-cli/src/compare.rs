@@ -6,7 +6,7 @@ use std::{
     sync::atomic::AtomicBool,
 };
 
-use lt_render::{CompareOptions, Comparison, Frame, Row, Session, Technique};
+use lt_render::{CompareOptions, Comparison, Row, Session, Technique};
 use rayon::prelude::*;
 
 use crate::{
@@ -16,6 +16,7 @@ use crate::{
     files,
     numbers::{decimals, factor, grouped, ms, ppm},
     picture::Picture,
+    play,
     progress::{Steps, spinner},
     report::Report,
     results::{Results, frontier_of},
@@ -34,8 +35,47 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
     }
     files::prepare_dir(&args.out)?;
     let mut opened = args.scene.open()?;
+    let repeats = args.repeats.unwrap_or(DEFAULT_REPEATS);
+    let (comparison, playback) = match args.frames {
+        None => (single_view(args, &mut opened.session, repeats)?, None),
+        Some(frames) => {
+            let (comparison, playback) = play::run(args, &mut opened, usize::from(frames))?;
+            (comparison, Some(playback))
+        }
+    };
     let session = &mut opened.session;
-    let options = CompareOptions { repeats: usize::from(args.repeats), with_flip: !args.no_flip };
+    let flips = match args.still {
+        true => comparison.rows.iter().map(most_flips).collect(),
+        false => flips(session, &comparison)?,
+    };
+    let summary = Summary::of(&opened.name, session);
+    let is_valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
+
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "{}\n\n{}", summary.headline(), text_table(&comparison))?;
+    if let Some(playback) = &playback {
+        writeln!(out, "{}\n\n{}", playback.headline(), play::text_table(&comparison, &flips))?;
+    }
+    let work = spinner("writing");
+    let results = Results::new(&summary, &comparison, &flips, repeats, playback.as_ref());
+    files::write(&args.out.join("results.json"), |to| {
+        serde_json::to_writer_pretty(&mut *to, &results)?;
+        Ok(to.write_all(b"\n")?)
+    })?;
+    write_images(&args.out, &comparison, &is_valid)?;
+    let report = Report::new(&summary, &comparison, &is_valid, playback.as_ref())?.render()?;
+    let report_path = args.out.join("report.html");
+    files::write(&report_path, |to| Ok(to.write_all(report.as_bytes())?))?;
+    work.finish_and_clear();
+    writeln!(out, "{} (open in a browser), results.json and images beside it", report_path.display())?;
+    Ok(())
+}
+
+/// Timed repeats unless told otherwise.
+const DEFAULT_REPEATS: u16 = 5;
+
+fn single_view(args: &CompareArgs, session: &mut Session, repeats: u16) -> anyhow::Result<Comparison> {
+    let options = CompareOptions { repeats: usize::from(repeats), with_flip: !args.no_flip };
     let mut steps = Steps::new();
     let never = AtomicBool::new(false);
     let comparison =
@@ -43,26 +83,12 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
             steps.at(done, total, what);
         });
     steps.clear();
-    let comparison = comparison?;
-    let flips = flips(session, &comparison)?;
-    let summary = Summary::of(&opened.name, session);
-    let is_valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
+    Ok(comparison?)
+}
 
-    let mut out = std::io::stdout().lock();
-    writeln!(out, "{}\n\n{}", summary.headline(), text_table(&comparison))?;
-    let work = spinner("writing");
-    let results = Results::new(&summary, &comparison, &flips, args.repeats);
-    files::write(&args.out.join("results.json"), |to| {
-        serde_json::to_writer_pretty(&mut *to, &results)?;
-        Ok(to.write_all(b"\n")?)
-    })?;
-    write_images(&args.out, &comparison, &is_valid)?;
-    let report = Report::new(&summary, &comparison, &is_valid)?.render()?;
-    let report_path = args.out.join("report.html");
-    files::write(&report_path, |to| Ok(to.write_all(report.as_bytes())?))?;
-    work.finish_and_clear();
-    writeln!(out, "{} (open in a browser), results.json and images beside it", report_path.display())?;
-    Ok(())
+/// The most pixels that changed between two successive frames with nothing moving.
+fn most_flips(row: &Row) -> u64 {
+    row.frames.iter().filter_map(|f| f.flips).max().unwrap_or(0)
 }
 
 fn list() -> anyhow::Result<()> {
@@ -89,15 +115,10 @@ fn list() -> anyhow::Result<()> {
 /// Pixels that differ, bit by bit, between the judged frame and one more of the same with nothing moved.
 fn flips(session: &mut Session, comparison: &Comparison) -> anyhow::Result<Vec<u64>> {
     let work = spinner("looking for flicker");
-    let again = |row: &Row| Ok(differing_pixels(&session.render(&row.technique)?, &row.frame));
+    let again = |row: &Row| Ok(lt_render::flips(&session.render(&row.technique)?, &row.frame));
     let flips = comparison.rows.iter().map(again).collect();
     work.finish_and_clear();
     flips
-}
-
-fn differing_pixels(a: &Frame, b: &Frame) -> u64 {
-    let differs = |(a, b): &(&f32, &f32)| a.to_bits() != b.to_bits();
-    a.visibility.iter().zip(&b.visibility).filter(differs).count() as u64
 }
 
 fn text_table(comparison: &Comparison) -> String {
@@ -173,8 +194,8 @@ mod tests {
     fn a_pixel_that_changes_is_counted() {
         let frame = fixture::comparison().reference;
         let mut other = frame.clone();
-        assert_eq!(differing_pixels(&frame, &other), 0);
+        assert_eq!(lt_render::flips(&frame, &other), 0);
         other.visibility[3] = f32::NAN;
-        assert_eq!((differing_pixels(&frame, &other), differing_pixels(&other, &frame)), (1, 1));
+        assert_eq!((lt_render::flips(&frame, &other), lt_render::flips(&other, &frame)), (1, 1));
     }
 }

@@ -1,9 +1,14 @@
 //! A tiny comparison for the tests of table, results and report.
 
 use lt_math::glam::Vec3;
-use lt_render::{Comparison, Effect, EffectPlan, Frame, PassKind, PassTime, Row, Technique, metrics};
+use lt_render::{
+    Comparison, Effect, EffectPlan, Frame, FrameStats, MaskBits, PassKind, PassTime, Row, Technique, metrics,
+};
 
-use crate::summary::{Summary, View};
+use crate::{
+    play::Playback,
+    summary::{Summary, View},
+};
 
 /// Facts of a run that never was.
 pub fn summary() -> Summary {
@@ -42,9 +47,29 @@ pub fn comparison() -> Comparison {
     Comparison { size: [4, 2], valid_pixels: 8, reference_picture: picture(&reference), reference, rows }
 }
 
+/// The same over two frames; `sm` stands in for a technique with a mask, pictured in the second.
+pub fn played() -> (Comparison, Playback) {
+    let mut comparison = comparison();
+    for (i, row) in comparison.rows.iter_mut().enumerate() {
+        row.frames = (0..2)
+            .map(|at| FrameStats {
+                errors: row.errors,
+                rays: row.frame.rays,
+                map_draws: 1,
+                passes: Vec::new(),
+                flips: None,
+                mask: (i == 1 && at == 1).then(|| vec![MaskBits::PURPLE; 8]),
+            })
+            .collect();
+    }
+    let playback =
+        Playback { frames: 2, is_still: false, motion_px: 2.0, objects_move: false, mask_frames: vec![1] };
+    (comparison, playback)
+}
+
 fn frame(visibility: Vec<f32>, doubt: bool) -> Frame {
     let doubt = vec![doubt; visibility.len()];
-    Frame { visibility, doubt, rays: 0, passes: Vec::new(), map_bytes: 0 }
+    Frame { visibility, doubt, rays: 0, passes: Vec::new(), map_bytes: 0, mask: Vec::new(), map_draws: 0 }
 }
 
 fn picture(frame: &Frame) -> Vec<[u8; 4]> {
@@ -64,6 +89,9 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
             map: None,
             doubt_list: false,
             trace_all: rays > 0,
+            mask: None,
+            object_motion: false,
+            reuse: false,
             effects: vec![effect],
         },
         rays_per_pixel: rays as f64 / 8.0,
@@ -77,5 +105,6 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
         map_bytes: 0,
         frame: Frame { rays, ..frame.clone() },
         picture: picture(frame),
+        frames: Vec::new(),
     }
 }

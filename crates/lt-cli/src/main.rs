@@ -16,6 +16,7 @@ mod numbers;
 mod pareto;
 mod picture;
 mod plan;
+mod play;
 mod progress;
 mod render;
 mod report;

@@ -1,9 +1,13 @@
 //! `results.json`, schema 1: fields may be added, never renamed.
 
-use lt_render::{Comparison, Doubt, PassTime, Row};
+use lt_render::{Comparison, Doubt, FrameStats, PassKind, PassTime, Row};
 use serde::Serialize;
 
-use crate::{pareto, summary::Summary};
+use crate::{
+    pareto,
+    play::{Playback, Spread, spread},
+    summary::Summary,
+};
 
 /// The whole file.
 #[derive(Debug, Serialize)]
@@ -11,7 +15,9 @@ pub struct Results<'a> {
     schema: u32,
     #[serde(flatten)]
     summary: &'a Summary,
-    frames: u32,
+    frames: usize,
+    /// Null for a single view.
+    playback: Option<&'a Playback>,
     repeats: u16,
     valid_pixels: u64,
     peak_memory_mb: Option<f64>,
@@ -38,6 +44,32 @@ struct ResultRow {
     false_shadowed_px: u64,
     is_on_frontier: bool,
     passes: Vec<PassRow>,
+    /// Null for a single view.
+    path: Option<PathRow>,
+}
+
+/// One technique over several frames.
+#[derive(Debug, Serialize)]
+struct PathRow {
+    false_lit_ppm: Spread,
+    false_shadowed_ppm: Spread,
+    rays_per_pixel: Spread,
+    total_ms: Option<Spread>,
+    map_draws: u32,
+    frames: Vec<FrameRow>,
+}
+
+/// One technique in one frame.
+#[derive(Debug, Serialize)]
+struct FrameRow {
+    false_lit_ppm: f64,
+    false_shadowed_ppm: f64,
+    rays_per_pixel: f64,
+    map_draws: u32,
+    flips: Option<u64>,
+    map_ms: Option<f64>,
+    shadow_ms: Option<f64>,
+    total_ms: Option<f64>,
 }
 
 /// Medians in milliseconds; a time that was not measured is null.
@@ -59,14 +91,21 @@ struct PassRow {
 impl<'a> Results<'a> {
     /// Puts a run into the schema. `flips[i]` counts the pixels that differ between two frames of `rows[i]` with
     /// nothing moving.
-    pub fn new(summary: &'a Summary, comparison: &Comparison, flips: &[u64], repeats: u16) -> Self {
+    pub fn new(
+        summary: &'a Summary,
+        comparison: &Comparison,
+        flips: &[u64],
+        repeats: u16,
+        playback: Option<&'a Playback>,
+    ) -> Self {
         let frontier = frontier_of(comparison);
         let rows = comparison.rows.iter().zip(flips).zip(frontier);
         Self {
             schema: 1,
             summary,
-            frames: 1,
-            repeats,
+            frames: playback.map_or(1, |p| p.frames),
+            playback,
+            repeats: if playback.is_some() { 1 } else { repeats },
             valid_pixels: comparison.valid_pixels,
             peak_memory_mb: peak_memory_mb(),
             rows: rows.map(|((row, &flips), is_best)| result_row(row, summary, flips, is_best)).collect(),
@@ -100,6 +139,36 @@ fn result_row(row: &Row, summary: &Summary, flips: u64, is_on_frontier: bool) ->
         false_shadowed_px: row.errors.false_shadowed,
         is_on_frontier,
         passes: row.passes.iter().map(pass_row).collect(),
+        path: path_row(row),
+    }
+}
+
+fn path_row(row: &Row) -> Option<PathRow> {
+    let frames = &row.frames;
+    if frames.is_empty() {
+        return None;
+    }
+    let times: Option<Vec<f64>> = frames.iter().map(|f| f.ms(|_| true)).collect();
+    Some(PathRow {
+        false_lit_ppm: spread(frames.iter().map(|f| f.errors.false_lit_ppm())),
+        false_shadowed_ppm: spread(frames.iter().map(|f| f.errors.false_shadowed_ppm())),
+        rays_per_pixel: spread(frames.iter().map(FrameStats::rays_per_pixel)),
+        total_ms: times.map(|t| spread(t.into_iter())),
+        map_draws: frames.iter().map(|f| f.map_draws).sum(),
+        frames: frames.iter().map(frame_row).collect(),
+    })
+}
+
+fn frame_row(frame: &FrameStats) -> FrameRow {
+    FrameRow {
+        false_lit_ppm: frame.errors.false_lit_ppm(),
+        false_shadowed_ppm: frame.errors.false_shadowed_ppm(),
+        rays_per_pixel: frame.rays_per_pixel(),
+        map_draws: frame.map_draws,
+        flips: frame.flips,
+        map_ms: frame.ms(PassKind::makes_map),
+        shadow_ms: frame.ms(|k| !k.makes_map()),
+        total_ms: frame.ms(|_| true),
     }
 }
 
@@ -126,7 +195,7 @@ mod tests {
     #[test]
     fn the_schema_holds() {
         let (summary, comparison) = (fixture::summary(), fixture::comparison());
-        let json = serde_json::to_value(Results::new(&summary, &comparison, &[0, 2], 5)).unwrap();
+        let json = serde_json::to_value(Results::new(&summary, &comparison, &[0, 2], 5, None)).unwrap();
         for (key, expected) in [("schema", 1), ("triangles", 12), ("threads", 2), ("frames", 1)] {
             assert_eq!(json[key], expected, "{key}");
         }
@@ -159,7 +228,7 @@ mod tests {
         comparison.rows[1].speedup_over_ray = None;
         comparison.rows[1].flip_mean = Some(f64::NAN);
         let summary = fixture::summary();
-        let json = serde_json::to_value(Results::new(&summary, &comparison, &[0, 0], 1)).unwrap();
+        let json = serde_json::to_value(Results::new(&summary, &comparison, &[0, 0], 1, None)).unwrap();
         let row = &json["rows"][1];
         assert!(
             row["ms"]["total"].is_null() && row["speedup_over_ray"].is_null() && row["flip_mean"].is_null()

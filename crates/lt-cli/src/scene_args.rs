@@ -69,6 +69,10 @@ pub struct Opened {
     pub session: Session,
     /// The scene's name.
     pub name: String,
+    /// What can be posed at other moments.
+    pub source: Source,
+    /// The pose that the session shows.
+    pub scene: Scene,
 }
 
 impl SceneArgs {
@@ -83,18 +87,33 @@ impl SceneArgs {
             )?;
         }
         let work = spinner(&format!("loading {}", self.scene));
-        let mut scene = Source::open(&self.scene, self.seed)?.pose(self.time)?;
+        let source = Source::open(&self.scene, self.seed)?;
+        let scene = self.pose(&source, self.time)?;
         if let Some(repairs) = scene.repairs.summary() {
             work.suspend(|| eprintln!("note: {}: {repairs}", self.scene));
-        }
-        if let Some(ground) = self.ground {
-            scene.add_ground(ground.y, ground.half_size.unwrap_or_else(|| fitting_half_size(&scene)));
         }
         let setup = self.setup(&scene)?;
         work.set_message(format!("building the BVH of {} triangles", grouped(scene.triangle_count() as u64)));
         let session = Session::new(&scene, setup, self.backend).map_err(|e| self.explain(e))?;
         work.finish_and_clear();
-        Ok(Opened { session, name: scene.name })
+        Ok(Opened { session, name: scene.name.clone(), source, scene })
+    }
+
+    /// The scene at a moment, ground included. The ground's size is that of the pose at the moment asked for by `--time`.
+    ///
+    /// # Errors
+    /// A glTF file whose data is malformed.
+    pub fn pose(&self, source: &Source, time_s: f32) -> anyhow::Result<Scene> {
+        let mut scene = source.pose(time_s)?;
+        if let Some(ground) = self.ground {
+            let half_size = match ground.half_size {
+                Some(half_size) => half_size,
+                None if time_s == self.time => fitting_half_size(&scene),
+                None => fitting_half_size(&source.pose(self.time)?),
+            };
+            scene.add_ground(ground.y, half_size);
+        }
+        Ok(scene)
     }
 
     fn explain(&self, error: RenderError) -> anyhow::Error {

@@ -25,6 +25,14 @@ pub fn degrees(text: &str) -> Result<f32, String> {
     })
 }
 
+/// A speed in pixels per frame.
+pub fn motion(text: &str) -> Result<f32, String> {
+    finite(text).and_then(|m| match m > 0.0 && m <= 1000.0 {
+        true => Ok(m),
+        false => Err("must lie above 0 and at most 1000 pixels per frame; for none use --still".into()),
+    })
+}
+
 /// LTT's ε.
 pub fn epsilon(text: &str) -> Result<f32, String> {
     finite(text).and_then(|e| match e > 0.0 && e < 0.5 {

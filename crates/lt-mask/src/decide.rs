@@ -159,10 +159,17 @@ impl Decision {
 /// A receiver outside the map and a NaN estimate always get a ray: RR cannot remove what no shadow test has judged.
 /// For surfaces facing away store [`MaskBits::FACING_AWAY`] instead.
 pub fn decide(visibility: f32, epsilon: f32, evidence: Evidence) -> Decision {
-    let is_test_shadowed = is_test_shadowed(visibility);
-    let is_doubted = needs_ray(visibility, epsilon);
+    let known = Evidence { is_on_map: evidence.is_on_map && !float::is_nan(visibility), ..evidence };
+    decide_doubt(is_test_shadowed(visibility), needs_ray(visibility, epsilon), known)
+}
+
+/// [`decide`] for any doubt: `is_test_shadowed` is ST, `is_doubted` whatever test stands in LTT's place.
+///
+/// With `evidence.is_on_map` false the estimate has judged nothing, and a ray is certain.
+#[inline]
+pub fn decide_doubt(is_test_shadowed: bool, is_doubted: bool, evidence: Evidence) -> Decision {
     let history = evidence.neighbourhood;
-    let reason = if !evidence.is_on_map || float::is_nan(visibility) {
+    let reason = if !evidence.is_on_map {
         Reason::UNKNOWN
     } else if !evidence.is_reprojected {
         Reason::UNSEEN

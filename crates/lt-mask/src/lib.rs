@@ -66,8 +66,8 @@ mod reproject;
 pub use bits::MaskBits;
 pub use decide::{
     DEPTH_CONSISTENCY_TOLERANCE, Decision, Evidence, Neighbourhood, Reason, SHADOW_TEST_THRESHOLD,
-    allows_removal, decide, expands_ray, is_depth_consistent, is_test_shadowed, removes_ray,
+    allows_removal, decide, decide_doubt, expands_ray, is_depth_consistent, is_test_shadowed, removes_ray,
 };
 pub use pack::{MAX_LIGHTS, PackedMask, words_for_lights};
 pub use pattern::{Pattern, gather_corner};
-pub use reproject::{Reprojection, STILL_MOTION_PX, reproject};
+pub use reproject::{Reprojection, reproject};

@@ -22,10 +22,19 @@ impl Pattern {
     pub const ALTERNATING: Self = Self(4);
     /// One 2×2 gather, shifted by half a pixel: four successive frames cover the 3×3. The paper's choice.
     pub const GATHER_2X2: Self = Self(5);
+    /// All 25 pixels within two, every frame: for pixels that move, not in the paper.
+    pub const FULL_5X5: Self = Self(6);
 
     /// Every pattern, for sweeps.
-    pub const ALL: [Self; 6] =
-        [Self::FULL_3X3, Self::PLUS, Self::CROSS, Self::CHECKERBOARD, Self::ALTERNATING, Self::GATHER_2X2];
+    pub const ALL: [Self; 7] = [
+        Self::FULL_3X3,
+        Self::PLUS,
+        Self::CROSS,
+        Self::CHECKERBOARD,
+        Self::ALTERNATING,
+        Self::GATHER_2X2,
+        Self::FULL_5X5,
+    ];
 
     /// The pattern with this number, as [`Pattern::to_index`] gave it.
     #[inline]
@@ -39,17 +48,19 @@ impl Pattern {
         self.0
     }
 
-    /// How many neighbours are asked: 9, 5 or 4.
+    /// How many neighbours are asked: 25, 9, 5 or 4.
     #[inline]
     pub fn neighbour_count(self) -> u32 {
         match self.0 {
             1..=4 => 5,
             5 => 4,
+            6 => 25,
             _ => 9,
         }
     }
 
-    /// The offset of neighbour `index` < [`Pattern::neighbour_count`], each part −1, 0 or 1.
+    /// The offset of neighbour `index` < [`Pattern::neighbour_count`], each part −1, 0 or 1
+    /// (−2 to 2 for the 5×5).
     ///
     /// `pixel` steers the chessboard, `frame` the patterns that change over time. Larger indices start over.
     #[inline]
@@ -60,6 +71,7 @@ impl Pattern {
             3 => plus_or_cross(index, (pixel.x + pixel.y) & 1),
             4 => plus_or_cross(index, frame & 1),
             5 => gather_corner(frame) + IVec2::new((index & 1) as i32, ((index >> 1) & 1) as i32),
+            6 => IVec2::new((index % 5) as i32 - 2, ((index / 5) % 5) as i32 - 2),
             _ => IVec2::new((index % 3) as i32 - 1, ((index / 3) % 3) as i32 - 1),
         }
     }
@@ -115,12 +127,13 @@ fn plus_or_cross(index: u32, is_cross: u32) -> IVec2 {
 
 /// `coordinate` + `offset` kept in 0…`size` − 1.
 fn step_clamped(coordinate: u32, offset: i32, size: u32) -> u32 {
-    if offset < 0 && coordinate == 0 {
+    let stepped = coordinate as i32 + offset;
+    if stepped < 0 {
         0
-    } else if offset > 0 && coordinate + 1 >= size {
-        coordinate
+    } else if stepped >= size as i32 {
+        size - 1
     } else {
-        coordinate.wrapping_add(offset as u32)
+        stepped as u32
     }
 }
 
@@ -147,7 +160,8 @@ mod tests {
                     let set: BTreeSet<_> = all.iter().copied().collect();
                     assert_eq!(set.len(), all.len());
                     assert!(set.contains(&(0, 0)));
-                    assert!(set.iter().all(|(x, y)| x.abs() <= 1 && y.abs() <= 1));
+                    let reach = if pattern == Pattern::FULL_5X5 { 2 } else { 1 };
+                    assert!(set.iter().all(|(x, y)| x.abs() <= reach && y.abs() <= reach));
                 }
             }
         }
@@ -166,6 +180,7 @@ mod tests {
     fn plus_and_cross_together_cover_the_3x3() {
         assert_eq!(covered(Pattern::ALTERNATING, 0..2), 9);
         assert_eq!(covered(Pattern::FULL_3X3, 0..1), 9);
+        assert_eq!(covered(Pattern::FULL_5X5, 0..1), 25);
         assert_eq!(covered(Pattern::PLUS, 0..9), 5);
         assert_eq!(covered(Pattern::CROSS, 0..9), 5);
     }

@@ -3,9 +3,6 @@
 use lt_math::float;
 use lt_math::glam::{UVec2, Vec2};
 
-/// Motion up to 1/16 pixel counts as standing still: below what a shadow edge shows, above a motion vector's rounding.
-pub const STILL_MOTION_PX: f32 = 1.0 / 16.0;
-
 /// A pixel's place in the last frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reprojection {
@@ -13,7 +10,8 @@ pub struct Reprojection {
     pub pixel: UVec2,
     /// Whether the pixel was on the screen; false for a NaN motion too. If false, a ray is forced.
     pub is_valid: bool,
-    /// Whether it moved by more than [`STILL_MOTION_PX`] in x or y: RR is then unsafe.
+    /// Whether it moved at all: RR is then unsafe. A motion below any threshold adds up over frames, so there is none;
+    /// motion vectors taken as the difference of two projections by the same arithmetic are exactly 0 where nothing moved.
     pub has_moved: bool,
 }
 
@@ -25,7 +23,7 @@ pub fn reproject(pixel: UVec2, motion_px: Vec2, size_px: UVec2) -> Reprojection 
     let x = float::floor(pixel.x as f32 + 0.5 + motion_px.x);
     let y = float::floor(pixel.y as f32 + 0.5 + motion_px.y);
     let is_valid = x >= 0.0 && y >= 0.0 && x < size_px.x as f32 && y < size_px.y as f32;
-    let is_still = motion_px.x.abs() <= STILL_MOTION_PX && motion_px.y.abs() <= STILL_MOTION_PX;
+    let is_still = motion_px.x == 0.0 && motion_px.y == 0.0;
     Reprojection {
         pixel: if is_valid { UVec2::new(x as u32, y as u32) } else { pixel },
         is_valid,
@@ -81,10 +79,10 @@ mod tests {
     }
 
     #[test]
-    fn sub_pixel_motion_counts_as_moved_beyond_the_threshold() {
+    fn the_least_motion_counts() {
         let moved = |x| reproject(UVec2::ONE, Vec2::new(x, 0.0), SIZE).has_moved;
-        assert!(!moved(STILL_MOTION_PX) && !moved(-STILL_MOTION_PX));
-        assert!(moved(0.1) && moved(-0.1));
+        assert!(!moved(0.0) && !moved(-0.0));
+        assert!(moved(1e-30) && moved(-1e-6));
     }
 
     proptest! {

@@ -3,9 +3,9 @@
 use std::{fmt, str::FromStr};
 
 use lt_math::glam::Vec4;
-use lt_shaders::abi::{CameraParams, DepthParams, FilterParams, Sample, ShadeParams, ShadowParams};
+use lt_shaders::abi::{CameraParams, DepthParams, FilterParams, MaskParams, Sample, ShadeParams, ShadowParams};
 
-use crate::{EffectPlan, Frame, MapTest, PassKind, RenderError};
+use crate::{EffectPlan, Frame, MapTest, PackedScene, PassKind, RenderError};
 
 /// Which backend to use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,6 +59,19 @@ pub struct FrameJob {
     pub shadow: ShadowParams,
     /// The map, if the plan draws one.
     pub map: Option<DepthMapJob>,
+    /// Whether the map is drawn in this frame; otherwise the slot's own is still good.
+    pub draws_map: bool,
+    /// The temporal mask's frame, if the plan has one.
+    pub mask: Option<MaskParams>,
+    /// Which storage keeps map and history between frames: 0 for techniques that keep nothing, else the technique's own.
+    pub slot: usize,
+}
+
+impl FrameJob {
+    /// The passes of this frame, in order: the plan's, less those that would draw a map anew that still serves.
+    pub fn passes(&self) -> Vec<PassKind> {
+        self.plan.passes().into_iter().filter(|k| self.draws_map || !k.makes_map()).collect()
+    }
 }
 
 /// Runs passes. The order of passes is the driver's alone.
@@ -68,6 +81,12 @@ pub trait Backend {
 
     /// The processor or adapter, for reports.
     fn device(&self) -> String;
+
+    /// Takes another pose of the scene in place of the last one; maps and histories stay.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when it does not fit the device.
+    fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError>;
 
     /// Runs the camera pass and keeps the samples. Returns its time, or `None` without timestamps.
     ///

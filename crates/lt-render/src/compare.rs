@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use crate::{EffectPlan, Frame, PassKind, RenderError, Session, Technique, metrics};
+use crate::{EffectPlan, Frame, MaskBits, PassKind, RenderError, Session, Technique, metrics};
 
 /// How to measure.
 #[derive(Clone, Debug)]
@@ -55,6 +55,50 @@ pub struct Row {
     pub frame: Frame,
     /// Its shaded picture, sRGB, row by row from the top.
     pub picture: Vec<[u8; 4]>,
+    /// Frame by frame, where several were played; else empty.
+    pub frames: Vec<FrameStats>,
+}
+
+/// One technique in one frame of several.
+#[derive(Clone, Debug)]
+pub struct FrameStats {
+    /// Wrong pixels against `ray` in the same frame.
+    pub errors: metrics::Errors,
+    /// Shadow rays.
+    pub rays: u64,
+    /// Maps drawn.
+    pub map_draws: u32,
+    /// Passes that ran.
+    pub passes: Vec<crate::Pass>,
+    /// Pixels whose visibility differs, bit by bit, from the frame before; only where nothing moves.
+    pub flips: Option<u64>,
+    /// What the temporal mask remembers, for the frames that [`PlayOptions::mask_frames`] asks for.
+    pub mask: Option<Vec<MaskBits>>,
+}
+
+impl FrameStats {
+    /// Time of the passes that `wanted` names, or `None` if any lacks a timestamp.
+    pub fn ms(&self, wanted: impl Fn(PassKind) -> bool) -> Option<f64> {
+        self.passes.iter().filter(|p| wanted(p.kind)).map(|p| p.ms).sum()
+    }
+
+    /// Shadow rays per valid pixel.
+    pub fn rays_per_pixel(&self) -> f64 {
+        self.rays as f64 / self.errors.valid.max(1) as f64
+    }
+}
+
+/// What several frames show.
+#[derive(Clone, Debug)]
+pub struct PlayOptions {
+    /// How many; at least 1.
+    pub frames: usize,
+    /// Nothing moves: errors are the last frame's, and flips are counted.
+    pub is_still: bool,
+    /// Whether to compute FLIP of the last frame.
+    pub with_flip: bool,
+    /// Frames whose masks are kept for pictures.
+    pub mask_frames: Vec<usize>,
 }
 
 /// All rows, and the truth they are judged by.
@@ -110,6 +154,98 @@ pub fn compare(
     judge(session, &jobs, techniques, frames, &runs, options)
 }
 
+/// Plays frames: every technique draws each of them before the next, and each is judged by full ray tracing of the same
+/// frame. `step(session, i)` moves the session on to frame i > 0; [`Session::play`] was told what that changes.
+///
+/// Before the first frame every technique draws once to warm up, and then forgets. Times are medians over the frames;
+/// errors are medians, or the last frame's where nothing moves.
+///
+/// # Errors
+/// Whatever the backend or `step` reports, or cancellation through `is_cancelled`.
+pub fn compare_frames(
+    session: &mut Session,
+    techniques: &[Technique],
+    options: &PlayOptions,
+    mut step: impl FnMut(&mut Session, usize) -> Result<(), RenderError>,
+    is_cancelled: &AtomicBool,
+    mut progress: impl FnMut(usize, usize, &str),
+) -> Result<Comparison, RenderError> {
+    let mut jobs = vec![Technique::RAY];
+    jobs.extend(techniques.iter().filter(|t| **t != Technique::RAY));
+    let steps = (options.frames + 1) * jobs.len();
+    for (i, job) in jobs.iter().enumerate() {
+        progress(i, steps, &format!("warming up {job}"));
+        session.render(job)?;
+    }
+    session.play(session.sequence());
+    let mut played: Vec<Vec<FrameStats>> = vec![Vec::new(); jobs.len()];
+    let mut last: Vec<Frame> = Vec::new();
+    for frame_index in 0..options.frames.max(1) {
+        if frame_index > 0 {
+            step(session, frame_index)?;
+        }
+        let size = session.setup().size.to_array();
+        let valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
+        let mut frames: Vec<Frame> = Vec::new();
+        for (i, job) in jobs.iter().enumerate() {
+            if is_cancelled.load(Ordering::Relaxed) {
+                return Err(RenderError::Cancelled);
+            }
+            progress((frame_index + 1) * jobs.len() + i, steps, &format!("frame {frame_index}: {job}"));
+            let frame = session.render(job)?;
+            let truth = frames.first().unwrap_or(&frame);
+            played[i].push(FrameStats {
+                errors: metrics::errors(size, &valid, &truth.visibility, &frame.visibility),
+                rays: frame.rays,
+                map_draws: frame.map_draws,
+                passes: frame.passes.clone(),
+                flips: last.get(i).filter(|_| options.is_still).map(|before| flips(before, &frame)),
+                mask: (options.mask_frames.contains(&frame_index) && !frame.mask.is_empty())
+                    .then(|| frame.mask.clone()),
+            });
+            frames.push(frame);
+        }
+        last = frames;
+    }
+    progress(steps, steps, "judging");
+    let runs: Vec<Vec<Vec<crate::Pass>>> =
+        played.iter().map(|p| p.iter().map(|f| f.passes.clone()).collect()).collect();
+    let single = CompareOptions { repeats: 1, with_flip: options.with_flip };
+    let mut comparison = judge(session, &jobs, techniques, last, &runs, &single)?;
+    for row in &mut comparison.rows {
+        let Some(at) = jobs.iter().position(|j| *j == row.technique) else { continue };
+        row.frames = std::mem::take(&mut played[at]);
+        if !options.is_still {
+            row.errors = median_errors(&row.frames);
+            row.rays_per_pixel = median(row.frames.iter().map(FrameStats::rays_per_pixel));
+        }
+    }
+    Ok(comparison)
+}
+
+/// Pixels whose visibility differs, bit by bit.
+pub fn flips(a: &Frame, b: &Frame) -> u64 {
+    let differs = |(a, b): &(&f32, &f32)| a.to_bits() != b.to_bits();
+    a.visibility.iter().zip(&b.visibility).filter(differs).count() as u64
+}
+
+/// Each count's own median over the frames; halves round up.
+fn median_errors(frames: &[FrameStats]) -> metrics::Errors {
+    let of = |pick: fn(&metrics::Errors) -> u64| {
+        median(frames.iter().map(|f| pick(&f.errors) as f64)).round() as u64
+    };
+    metrics::Errors {
+        false_lit: of(|e| e.false_lit),
+        false_shadowed: of(|e| e.false_shadowed),
+        valid: of(|e| e.valid),
+        largest_cluster_px: of(|e| e.largest_cluster_px.into()) as u32,
+    }
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    quantile(values.collect(), 0.5)
+}
+
 fn judge(
     session: &mut Session,
     jobs: &[Technique],
@@ -152,6 +288,7 @@ fn judge(
             map_bytes: frame.map_bytes,
             frame,
             picture,
+            frames: Vec::new(),
         });
     }
     rows.sort_by_key(|r| wanted.iter().position(|t| *t == r.technique));
@@ -167,22 +304,25 @@ fn median_of(repeats: &[Vec<crate::Pass>], wanted: impl Fn(PassKind) -> bool) ->
     times.map(|t| quantile(t, 0.5))
 }
 
+/// Every pass that any repeat ran, in order; where a repeat did without (a kept map), its time there is 0.
 fn pass_times(repeats: &[Vec<crate::Pass>]) -> Vec<PassTime> {
-    let Some(first) = repeats.first() else { return Vec::new() };
-    (0..first.len())
-        .map(|i| {
-            let times: Option<Vec<f64>> = repeats.iter().map(|r| r[i].ms).collect();
-            PassTime {
-                kind: first[i].kind,
-                median_ms: times.clone().map(|t| quantile(t, 0.5)),
-                p95_ms: times.map(|t| quantile(t, 0.95)),
-            }
-        })
-        .collect()
+    let mut kinds: Vec<PassKind> = repeats.iter().flatten().map(|p| p.kind).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    let of = |kind: PassKind| {
+        let time = |passes: &Vec<crate::Pass>| passes.iter().find(|p| p.kind == kind).map_or(Some(0.0), |p| p.ms);
+        let times: Option<Vec<f64>> = repeats.iter().map(time).collect();
+        PassTime {
+            kind,
+            median_ms: times.clone().map(|t| quantile(t, 0.5)),
+            p95_ms: times.map(|t| quantile(t, 0.95)),
+        }
+    };
+    kinds.into_iter().map(of).collect()
 }
 
-/// The q-quantile by linear interpolation between order statistics; 0 for no values.
-fn quantile(mut values: Vec<f64>, q: f64) -> f64 {
+/// The q-quantile, 0 ≤ q ≤ 1, by linear interpolation between order statistics; 0 for no values.
+pub fn quantile(mut values: Vec<f64>, q: f64) -> f64 {
     values.sort_by(f64::total_cmp);
     let Some(last) = values.len().checked_sub(1) else { return 0.0 };
     let at = q * last as f64;
@@ -202,8 +342,33 @@ mod tests {
     }
 
     #[test]
+    fn a_pass_that_a_frame_did_without_took_no_time_there() {
+        let pass = |kind, ms| crate::Pass { kind, ms: Some(ms) };
+        let drawn = vec![pass(PassKind::DepthMap, 9.0), pass(PassKind::Evaluate, 2.0)];
+        let kept = vec![pass(PassKind::Evaluate, 4.0)];
+        let times = pass_times(&[drawn, kept.clone(), kept]);
+        let named: Vec<_> = times.iter().map(|t| (t.kind, t.median_ms)).collect();
+        assert_eq!(named, [(PassKind::DepthMap, Some(0.0)), (PassKind::Evaluate, Some(4.0))]);
+    }
+
+    #[test]
+    fn errors_of_a_path_are_medians_of_each_count() {
+        let frame = |false_lit, false_shadowed| FrameStats {
+            errors: metrics::Errors { false_lit, false_shadowed, valid: 10, largest_cluster_px: 1 },
+            rays: 5,
+            map_draws: 0,
+            passes: Vec::new(),
+            flips: None,
+            mask: None,
+        };
+        let errors = median_errors(&[frame(1, 9), frame(2, 0), frame(9, 1)]);
+        assert_eq!((errors.false_lit, errors.false_shadowed, errors.valid), (2, 1, 10));
+        assert_eq!(frame(0, 0).rays_per_pixel(), 0.5);
+    }
+
+    #[test]
     fn a_missing_timestamp_is_missing_not_zero() {
-        let pass = |ms| crate::Pass { kind: PassKind::Resolve, ms };
+        let pass = |ms: Option<f64>| crate::Pass { kind: PassKind::Resolve, ms };
         assert_eq!(median_of(&[vec![pass(Some(1.0)), pass(None)]], |_| true), None);
         assert_eq!(median_of(&[vec![pass(Some(1.0)), pass(Some(2.0))]], |_| true), Some(3.0));
     }

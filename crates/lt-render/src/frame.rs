@@ -1,5 +1,7 @@
 //! What one frame runs and what comes out of it.
 
+use lt_mask::MaskBits;
+
 /// Kinds of pass, in the order a frame runs them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum PassKind {
@@ -13,6 +15,8 @@ pub enum PassKind {
     FilterY,
     /// Estimate and doubt.
     Evaluate,
+    /// Last frame's rays correct the doubt.
+    Mask,
     /// Truth for the doubted pixels.
     Resolve,
 }
@@ -26,6 +30,7 @@ impl PassKind {
             Self::FilterX => "filter x",
             Self::FilterY => "filter y",
             Self::Evaluate => "evaluate",
+            Self::Mask => "mask",
             Self::Resolve => "resolve",
         }
     }
@@ -59,4 +64,8 @@ pub struct Frame {
     pub passes: Vec<Pass>,
     /// Bytes of map storage the technique needed.
     pub map_bytes: u64,
+    /// Per pixel, what the temporal mask remembers of this frame; empty without one.
+    pub mask: Vec<MaskBits>,
+    /// Maps drawn for this frame: 0 where a kept one served.
+    pub map_draws: u32,
 }

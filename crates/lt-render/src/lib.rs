@@ -31,6 +31,7 @@ mod frame;
 pub mod gpu;
 mod light_fit;
 pub mod metrics;
+mod pace;
 mod packed;
 mod plan;
 mod session;
@@ -38,13 +39,19 @@ mod setup;
 mod technique;
 
 pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob};
-pub use compare::{CompareOptions, Comparison, PassTime, Row, compare};
+pub use compare::{
+    CompareOptions, Comparison, FrameStats, PassTime, PlayOptions, Row, compare, compare_frames, flips, quantile,
+};
+pub use pace::{median_motion_px, way_per_frame};
 pub use error::RenderError;
 pub use frame::{Frame, Pass, PassKind};
-pub use light_fit::{LightFit, fit_directional};
+pub use light_fit::{KEPT_GROWTH, LightFit, fit_directional, fit_kept};
+pub use lt_mask::MaskBits;
 pub use lt_shaders::abi::Sample;
 pub use packed::{DrawRange, PackStats, PackedScene, Trees};
-pub use plan::{Effect, EffectPlan};
+pub use plan::{Effect, EffectPlan, MaskEffects, Sequence};
 pub use session::{SceneInfo, Session};
 pub use setup::Setup;
-pub use technique::{Doubt, Estimate, MapSource, MapTest, Resolve, Technique, TechniqueError};
+pub use technique::{
+    Doubt, Estimate, MapSource, MapTest, Removal, Resolve, Technique, TechniqueError, TemporalMask,
+};

@@ -22,17 +22,63 @@ const MARGIN_TEXELS: f32 = 2.0;
 /// Part of the depth range added at each end, so that no caster is clipped by rounding.
 const DEPTH_MARGIN: f32 = 1e-3;
 
+/// How much wider than what the camera sees a map is fitted that is to be kept (Kern et al. 2024: 15 %).
+pub const KEPT_GROWTH: f32 = 0.15;
+/// A kept map is given up once it is this much wider than a new one would be: its texels are too coarse by then.
+const KEPT_LOOSENESS: f32 = 1.5;
+
 /// Fits a map of `map_size`² texels to a light travelling along `direction`.
 ///
 /// A camera that sees nothing of the scene gets the whole scene; an empty scene gets a unit box.
 pub fn fit_directional(scene: Bounds, camera: &CameraParams, direction: Vec3, map_size: u32) -> LightFit {
-    let scene = if scene.is_empty() { Bounds { min: Vec3::NEG_ONE, max: Vec3::ONE } } else { scene };
     let frame = LightFrame::from_direction(direction);
+    fit_box(&frame, receivers_in_light(scene, camera, &frame), casters_in_light(scene, &frame), map_size)
+}
+
+/// [`fit_directional`] with a box grown by [`KEPT_GROWTH`], for a map that is kept while [`LightFit::serves`].
+pub fn fit_kept(scene: Bounds, camera: &CameraParams, direction: Vec3, map_size: u32) -> LightFit {
+    let frame = LightFrame::from_direction(direction);
+    let seen = receivers_in_light(scene, camera, &frame);
+    let margin = (seen.max - seen.min) * (KEPT_GROWTH * 0.5);
+    let casters = casters_in_light(scene, &frame);
+    // Nothing lies outside the scene: growing past it would waste texels.
+    let grown = Bounds { min: (seen.min - margin).max(casters.min), max: (seen.max + margin).min(casters.max) };
+    fit_box(&frame, grown, casters, map_size)
+}
+
+impl LightFit {
+    /// Whether a map drawn for this fit still serves a camera: it covers all that the camera sees, and is not much coarser
+    /// than a new one would be.
+    pub fn serves(&self, scene: Bounds, camera: &CameraParams, direction: Vec3, map_size: u32) -> bool {
+        let scene = or_unit_box(scene);
+        let seen = visible_region(scene, camera);
+        let points = if seen.is_empty() { scene.corners().to_vec() } else { seen };
+        let covers = points.iter().all(|&p| self.projection.project(p).is_inside);
+        let fresh = fit_kept(scene, camera, direction, map_size);
+        covers && self.extent_world.xy().max_element() <= fresh.extent_world.xy().max_element() * KEPT_LOOSENESS
+    }
+}
+
+fn or_unit_box(scene: Bounds) -> Bounds {
+    if scene.is_empty() { Bounds { min: Vec3::NEG_ONE, max: Vec3::ONE } } else { scene }
+}
+
+fn in_light(frame: &LightFrame, points: &[Vec3]) -> Bounds {
+    points.iter().fold(Bounds::EMPTY, |b, &p| b.including(frame.to_light(p)))
+}
+
+fn casters_in_light(scene: Bounds, frame: &LightFrame) -> Bounds {
+    in_light(frame, &or_unit_box(scene).corners())
+}
+
+fn receivers_in_light(scene: Bounds, camera: &CameraParams, frame: &LightFrame) -> Bounds {
+    let scene = or_unit_box(scene);
     let seen = visible_region(scene, camera);
-    let in_light =
-        |points: &[Vec3]| points.iter().fold(Bounds::EMPTY, |b, &p| b.including(frame.to_light(p)));
-    let receivers = if seen.is_empty() { in_light(&scene.corners()) } else { in_light(&seen) };
-    let casters = in_light(&scene.corners());
+    if seen.is_empty() { in_light(frame, &scene.corners()) } else { in_light(frame, &seen) }
+}
+
+/// A map whose sides and far plane enclose `receivers` and whose near plane encloses `casters`, both in the light's frame.
+fn fit_box(frame: &LightFrame, receivers: Bounds, casters: Bounds, map_size: u32) -> LightFit {
     let (mut min, mut max) = (receivers.min, receivers.max);
     min.z = casters.min.z;
     // A flat or tiny region still needs a box with an inside.
@@ -43,7 +89,7 @@ pub fn fit_directional(scene: Bounds, camera: &CameraParams, direction: Vec3, ma
         Vec3::new(MARGIN_TEXELS * texel, MARGIN_TEXELS * texel, ((max.z - min.z) * DEPTH_MARGIN).max(least));
     min -= margin;
     max += margin;
-    LightFit { projection: LightProjection::orthographic(&frame, min, max), extent_world: max - min }
+    LightFit { projection: LightProjection::orthographic(frame, min, max), extent_world: max - min }
 }
 
 /// Corner points of the convex region that lies in the scene's box and in the view pyramid; empty if nothing does.
@@ -146,6 +192,21 @@ mod tests {
             }
         }
         assert!(seen > 100);
+    }
+
+    #[test]
+    fn a_kept_map_serves_nearby_cameras_and_not_distant_ones() {
+        let at = |x: f32, z: f32| camera(Vec3::new(x, 2.0, z), Vec3::new(0.0, -0.3, -1.0).normalize());
+        let sun = Vec3::new(0.3, -1.0, 0.2);
+        let start = at(0.0, 5.0);
+        let fit = fit_kept(BOX, &start, sun, 1024);
+        assert!(fit.serves(BOX, &start, sun, 1024));
+        assert!(fit.serves(BOX, &at(0.2, 4.8), sun, 1024));
+        let turned = camera(start.eye, Vec3::new(0.0, -0.3, 1.0).normalize());
+        assert!(!fit.serves(BOX, &turned, sun, 1024), "looks elsewhere");
+        let near = camera(Vec3::new(0.0, -9.0, -8.0), Vec3::new(0.0, -0.9, -0.2).normalize());
+        assert!(!fit.serves(BOX, &near, sun, 1024), "sees so little that a new map is much finer");
+        assert!(!fit_directional(BOX, &start, sun, 1024).serves(BOX, &at(0.0, 9.0), sun, 1024), "not grown");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Which effects a scene, a view and a technique call for: the frame driver runs exactly these.
 
-use crate::{Doubt, MapSource, MapTest, PackStats, PassKind, Resolve, Technique};
+use crate::{Doubt, MapSource, MapTest, PackStats, PassKind, Removal, Resolve, Technique};
 
 /// One effect, needed or not, with the reason.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +13,30 @@ pub struct Effect {
     pub reason: String,
     /// What it costs when on (passes, bindings, bytes), in words with numbers.
     pub cost: String,
+}
+
+/// What changes between the frames of a session.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sequence {
+    /// Several frames are played, so that what is kept between them pays.
+    pub is_played: bool,
+    /// The camera moves.
+    pub camera_moves: bool,
+    /// Things in the scene move.
+    pub objects_move: bool,
+}
+
+/// Which parts of the temporal mask run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MaskEffects {
+    /// Pixels are looked for where they were.
+    pub motion: bool,
+    /// The last frame's depths are kept and compared.
+    pub depth_test: bool,
+    /// ER.
+    pub expands: bool,
+    /// RR.
+    pub removes: bool,
 }
 
 /// The plan of one frame.
@@ -32,13 +56,19 @@ pub struct EffectPlan {
     pub doubt_list: bool,
     /// Every light-facing pixel is traced, without a list.
     pub trace_all: bool,
+    /// The last frame corrects the doubt.
+    pub mask: Option<MaskEffects>,
+    /// The camera pass also finds where every visible point was in the last frame.
+    pub object_motion: bool,
+    /// The map is kept while it covers what the camera sees.
+    pub reuse: bool,
     /// The same, listed for people.
     pub effects: Vec<Effect>,
 }
 
 impl EffectPlan {
     /// Inspects the input.
-    pub fn for_scene(s: &PackStats, technique: &Technique, map_size: u32) -> Self {
+    pub fn for_scene(s: &PackStats, technique: &Technique, map_size: u32, sequence: Sequence) -> Self {
         let map = technique.map_test();
         let doubt_list = technique.doubt == Doubt::Ltt && technique.resolve == Resolve::Ray;
         let trace_all = technique.doubt == Doubt::Always;
@@ -51,8 +81,17 @@ impl EffectPlan {
             map,
             doubt_list,
             trace_all,
+            mask: technique.mask.map(|m| MaskEffects {
+                motion: sequence.camera_moves || sequence.objects_move,
+                depth_test: m.depth_test,
+                expands: m.expands,
+                removes: m.removal != Removal::Never,
+            }),
+            object_motion: technique.mask.is_some() && sequence.objects_move,
+            reuse: map.is_some() && technique.reuse && sequence.is_played && !sequence.objects_move,
             effects: Vec::new(),
         };
+        let (mask, reuse, object_motion) = (plan.mask, plan.reuse, plan.object_motion);
         let mut list = |name, is_on, reason: String, cost: String| {
             plan.effects.push(Effect { name, is_on, reason, cost });
         };
@@ -112,6 +151,63 @@ impl EffectPlan {
             .to_owned(),
             "1 pass, the BVH".to_owned(),
         );
+        let no_mask = || "the technique has no temporal mask".to_owned();
+        list(
+            "static map reuse",
+            reuse,
+            match (map, technique.reuse, sequence) {
+                (None, ..) => "the technique asks no map",
+                (_, false, _) => "the technique draws its map every frame",
+                (_, _, Sequence { is_played: false, .. }) => "a single frame",
+                (_, _, Sequence { objects_move: true, .. }) => "casters move",
+                _ => "several frames, casters at rest",
+            }
+            .to_owned(),
+            "the map's box grown by 15 %; saves the map's passes".to_owned(),
+        );
+        list(
+            "temporal mask",
+            mask.is_some(),
+            mask.map_or_else(no_mask, |_| "last frame's rays correct the doubt".to_owned()),
+            "1 pass, 2 × 4 bytes a pixel (3 bits a light)".to_owned(),
+        );
+        list(
+            "ray removal",
+            mask.is_some_and(|m| m.removes),
+            match technique.mask.map(|m| m.removal) {
+                None => no_mask(),
+                Some(Removal::Never) => "the technique removes no rays".to_owned(),
+                Some(Removal::Still) => "where pixel, map and casters stand still".to_owned(),
+                Some(Removal::Published) => "everywhere, as published".to_owned(),
+            },
+            "reads the neighbours of doubted pixels".to_owned(),
+        );
+        list(
+            "temporal depth test",
+            mask.is_some_and(|m| m.depth_test),
+            match mask {
+                None => no_mask(),
+                Some(m) if m.depth_test => "new surfaces are told from old ones by depth".to_owned(),
+                Some(_) => "the technique trusts the motion vectors".to_owned(),
+            },
+            "1 read, 2 × 4 bytes a pixel".to_owned(),
+        );
+        list(
+            "motion vectors",
+            mask.is_some_and(|m| m.motion),
+            match mask {
+                None => no_mask(),
+                Some(m) if m.motion => "the camera or something seen moves".to_owned(),
+                Some(_) => "nothing moves: every pixel is its own past".to_owned(),
+            },
+            "two projections a pixel, no buffer".to_owned(),
+        );
+        list(
+            "object motion",
+            object_motion,
+            if sequence.objects_move { "things in the scene move" } else { "nothing in the scene moves" }.to_owned(),
+            "2 bindings in the camera pass, 16 bytes a pixel and a vertex".to_owned(),
+        );
         plan
     }
 
@@ -129,6 +225,9 @@ impl EffectPlan {
                 passes.extend([PassKind::FilterX, PassKind::FilterY]);
             }
             passes.push(PassKind::Evaluate);
+        }
+        if self.mask.is_some() {
+            passes.push(PassKind::Mask);
         }
         if self.doubt_list || self.trace_all {
             passes.push(PassKind::Resolve);

@@ -1,15 +1,18 @@
 //! The frame driver: one scene, one view, one light; the passes of a plan in order, on any backend.
 
-use std::time::Instant;
+use std::{collections::HashMap, time::Instant};
 
+use lt_mask::DEPTH_CONSISTENCY_TOLERANCE;
 use lt_math::glam::{UVec2, Vec3, Vec4};
-use lt_scene::{LightKind, Scene};
-use lt_shaders::abi::{CameraParams, DepthParams, FilterParams, Sample, ShadeParams, ShadowParams};
+use lt_scene::{Camera, LightKind, Scene};
+use lt_shaders::abi::{
+    CameraParams, DepthParams, FilterParams, MaskParams, Sample, ShadeParams, ShadowParams,
+};
 
 use crate::backend::{DepthMapJob, test_params};
 use crate::{
-    Backend, BackendKind, EffectPlan, Frame, FrameJob, LightFit, PackStats, PackedScene, RenderError, Setup,
-    Technique, cpu::CpuBackend, fit_directional,
+    Backend, BackendKind, EffectPlan, Frame, FrameJob, LightFit, PackStats, PackedScene, Removal, RenderError,
+    Sequence, Setup, Technique, cpu::CpuBackend, fit_directional, light_fit::fit_kept,
 };
 
 /// What preparing the scene took.
@@ -31,10 +34,20 @@ const SUN_STRENGTH: f32 = 1.25;
 const HAZE: f32 = 0.22;
 
 /// A prepared scene that techniques are run on.
+///
+/// A technique with a temporal mask sees every [`Session::render`] as its next frame; the first, and the first after a view
+/// that it did not draw, starts without history. [`Session::look`] and [`Session::advance`] change the view between frames.
 pub struct Session {
     scene: PackedSummary,
     setup: Setup,
     camera: CameraParams,
+    /// Counts views: a history or map of the view before this one can be followed.
+    view: u64,
+    /// Counts poses: what casters stood still since.
+    pose: u64,
+    sequence: Sequence,
+    /// What techniques that keep something kept, by id.
+    slots: HashMap<String, Slot>,
     samples: Vec<Sample>,
     info: SceneInfo,
     backend: Box<dyn Backend>,
@@ -45,6 +58,26 @@ struct PackedSummary {
     bounds: lt_scene::Bounds,
     stats: PackStats,
     root: u32,
+}
+
+/// What one technique keeps between frames; the backend holds its buffers.
+#[derive(Clone, Debug)]
+struct Slot {
+    /// Storage in the backend; 0 belongs to all techniques that keep nothing.
+    index: usize,
+    /// The last frame, if it can still be followed.
+    last: Option<LastFrame>,
+    /// Frames drawn, to steer patterns.
+    frame: u32,
+}
+
+/// A slot's last frame.
+#[derive(Clone, Debug)]
+struct LastFrame {
+    view: u64,
+    pose: u64,
+    camera: CameraParams,
+    map: Option<(LightFit, u32)>,
 }
 
 impl Session {
@@ -60,11 +93,70 @@ impl Session {
         let summary = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
         let camera = camera_params(&setup, packed.root());
         let mut backend = make_backend(packed, backend)?;
-        let plan = EffectPlan::for_scene(&summary.stats, &Technique::RAY, setup.map_size);
+        let plan = EffectPlan::for_scene(&summary.stats, &Technique::RAY, setup.map_size, Sequence::default());
         let camera_ms = backend.camera(&camera, &plan)?;
         let samples = backend.samples()?;
         let info = SceneInfo { stats: summary.stats, build_ms, camera_ms };
-        Ok(Self { scene: summary, setup, camera, samples, info, backend })
+        Ok(Self {
+            scene: summary,
+            setup,
+            camera,
+            view: 0,
+            pose: 0,
+            sequence: Sequence::default(),
+            slots: HashMap::new(),
+            samples,
+            info,
+            backend,
+        })
+    }
+
+    /// Says what will change between frames, which decides what techniques plan for; forgets all that they kept.
+    pub fn play(&mut self, sequence: Sequence) {
+        self.sequence = sequence;
+        for slot in self.slots.values_mut() {
+            *slot = Slot { last: None, frame: 0, ..*slot };
+        }
+    }
+
+    /// What was last told to [`Session::play`].
+    pub fn sequence(&self) -> Sequence {
+        self.sequence
+    }
+
+    /// Looks from another camera: the next view. Runs the camera pass.
+    ///
+    /// # Errors
+    /// [`RenderError::BadSetup`] for a camera that cannot be drawn; [`RenderError::Gpu`] when the device fails.
+    pub fn look(&mut self, camera: &Camera) -> Result<(), RenderError> {
+        let setup = Setup { camera: camera.clone(), ..self.setup.clone() };
+        setup.check()?;
+        self.camera = camera_params(&setup, self.scene.root);
+        self.setup = setup;
+        self.view += 1;
+        self.sequence.camera_moves = true;
+        let mut plan = self.plan(&Technique::RAY);
+        plan.object_motion = self.sequence.objects_move;
+        self.info.camera_ms = self.backend.camera(&self.camera, &plan)?;
+        self.samples = self.backend.samples()?;
+        Ok(())
+    }
+
+    /// Takes the next pose of the scene, packs it and builds its trees anew, and looks from another camera. `before` is
+    /// the pose of the last view, for motion vectors.
+    ///
+    /// # Errors
+    /// As [`Session::look`]; [`RenderError::Build`] where the poses differ in more than positions.
+    pub fn advance(&mut self, camera: &Camera, scene: &Scene, before: &Scene) -> Result<(), RenderError> {
+        let start = Instant::now();
+        let packed = PackedScene::after(scene, before)?;
+        self.info.build_ms = start.elapsed().as_secs_f64() * 1e3;
+        self.info.stats = *packed.stats();
+        self.scene = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
+        self.backend.replace_scene(packed)?;
+        self.pose += 1;
+        self.sequence.objects_move = true;
+        self.look(camera)
     }
 
     /// View and light.
@@ -94,7 +186,7 @@ impl Session {
 
     /// The effects a technique calls for here.
     pub fn plan(&self, technique: &Technique) -> EffectPlan {
-        EffectPlan::for_scene(&self.scene.stats, technique, self.setup.map_size)
+        EffectPlan::for_scene(&self.scene.stats, technique, self.setup.map_size, self.sequence)
     }
 
     /// Where the light's map of this many texels a side looks.
@@ -116,12 +208,17 @@ impl Session {
     /// # Errors
     /// As [`Session::render`].
     pub fn render_plan(&mut self, technique: &Technique, plan: EffectPlan) -> Result<Frame, RenderError> {
-        let job = self.job_of(technique, plan);
+        let (job, slot) = self.next_job(technique, plan);
         self.backend.begin(&job)?;
-        for kind in job.plan.passes() {
+        for kind in job.passes() {
             self.backend.pass(kind, &job)?;
         }
-        self.backend.finish(&job)
+        let frame = self.backend.finish(&job)?;
+        // Only a frame that was drawn is a last frame.
+        if slot.index > 0 {
+            self.slots.insert(technique.to_string(), slot);
+        }
+        Ok(frame)
     }
 
     /// The picture with this visibility, row by row, sRGB.
@@ -141,14 +238,30 @@ impl Session {
         self.backend.shade(visibility, &params)
     }
 
-    /// What the passes of a technique need, for callers that record them themselves.
+    /// What the passes of a technique need in its next frame, for callers that record them themselves. They keep slots: the
+    /// job's map and history are those of the last frame that this session itself drew.
     pub fn job(&self, technique: &Technique) -> FrameJob {
-        self.job_of(technique, self.plan(technique))
+        self.next_job(technique, self.plan(technique)).0
     }
 
-    fn job_of(&self, technique: &Technique, plan: EffectPlan) -> FrameJob {
+    /// The next frame of a technique, and what it keeps once that is drawn.
+    fn next_job(&self, technique: &Technique, mut plan: EffectPlan) -> (FrameJob, Slot) {
+        let mut slot = self.slot(technique, &plan);
+        // Drawn once more, the same view is its own past: nothing has moved since.
+        plan.object_motion &= slot.last.as_ref().is_none_or(|l| l.view != self.view);
         let map_size = technique.map_size.unwrap_or(self.setup.map_size);
-        let fit = self.light_fit(map_size);
+        let kept = slot.last.as_ref().and_then(|l| l.map).filter(|(fit, size)| {
+            plan.reuse
+                && *size == map_size
+                && fit.serves(self.scene.bounds, &self.camera, sun_direction(&self.setup), map_size)
+        });
+        let fit = match kept {
+            Some((fit, _)) => fit,
+            None if plan.reuse => {
+                fit_kept(self.scene.bounds, &self.camera, sun_direction(&self.setup), map_size)
+            }
+            None => self.light_fit(map_size),
+        };
         let test = technique.map_test().map_or(Vec4::ZERO, |(test, _)| test_params(test));
         let shadow = ShadowParams {
             projection: fit.projection,
@@ -166,7 +279,71 @@ impl Session {
             depth: DepthParams { projection: fit.projection, map_size, pad0: 0, pad1: 0, pad2: 0 },
             filter: FilterParams { test, map_size, sigma: FILTER_SIGMA, pad: UVec2::ZERO },
         });
-        FrameJob { plan, shadow, map }
+        let mask = technique.mask.map(|m| self.mask_params(&m, &slot, (fit, map_size)));
+        let job = FrameJob {
+            plan,
+            shadow,
+            draws_map: map.is_some() && kept.is_none(),
+            map,
+            mask,
+            slot: slot.index,
+        };
+        slot.frame = slot.frame.wrapping_add(1);
+        slot.last = Some(LastFrame {
+            view: self.view,
+            pose: self.pose,
+            camera: self.camera,
+            map: technique.map_test().map(|_| (fit, map_size)),
+        });
+        (job, slot)
+    }
+
+    /// What a technique kept, less what this view cannot follow.
+    fn slot(&self, technique: &Technique, plan: &EffectPlan) -> Slot {
+        if plan.mask.is_none() && !plan.reuse {
+            return Slot { index: 0, last: None, frame: 0 };
+        }
+        let mut slot = self.slots.get(&technique.to_string()).cloned().unwrap_or(Slot {
+            index: self.slots.len() + 1,
+            last: None,
+            frame: 0,
+        });
+        slot.last = slot.last.filter(|l| self.view - l.view <= 1);
+        slot
+    }
+
+    fn mask_params(
+        &self,
+        mask: &crate::TemporalMask,
+        slot: &Slot,
+        map: (LightFit, u32),
+    ) -> MaskParams {
+        let last = slot.last.as_ref();
+        // Where the map or a caster changed, what a ray found in the last frame says nothing certain about this one.
+        let is_still = last.is_some_and(|l| l.map == Some(map) && l.pose == self.pose);
+        let mut flags = 0;
+        if last.is_some() {
+            flags |= MaskParams::HAS_HISTORY;
+        }
+        if mask.removal == Removal::Published || (mask.removal == Removal::Still && is_still) {
+            flags |= MaskParams::MAY_REMOVE;
+        }
+        if mask.removal == Removal::Published {
+            flags |= MaskParams::MAY_REMOVE_MOVING;
+        }
+        MaskParams {
+            current: self.camera,
+            previous: last.map_or(self.camera, |l| l.camera),
+            light: homogeneous_light(&self.setup),
+            frame: slot.frame,
+            still_pattern: mask.pattern.to_index(),
+            moving_pattern: mask.moving_pattern.to_index(),
+            flags,
+            depth_tolerance: DEPTH_CONSISTENCY_TOLERANCE,
+            pad0: 0,
+            pad1: 0,
+            pad2: 0,
+        }
     }
 }
 
@@ -202,7 +379,7 @@ fn homogeneous_light(setup: &Setup) -> Vec4 {
 }
 
 /// The camera's frame; any direction works, straight up and down too.
-fn camera_params(setup: &Setup, root: u32) -> CameraParams {
+pub(crate) fn camera_params(setup: &Setup, root: u32) -> CameraParams {
     let c = &setup.camera;
     let forward = (c.target - c.eye).normalize();
     let right = forward.cross(c.up).try_normalize().unwrap_or_else(|| forward.any_orthonormal_vector());

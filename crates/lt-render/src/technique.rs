@@ -2,6 +2,7 @@
 
 use std::{fmt, str::FromStr};
 
+use lt_mask::Pattern;
 use lt_math::LTT_EPSILON;
 
 /// How a map answers the shadow test.
@@ -90,6 +91,47 @@ pub enum Resolve {
     Ray,
 }
 
+/// Where the temporal mask may remove rays (RR).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Removal {
+    /// Nowhere.
+    Never,
+    /// Where pixel, map and casters stand still: there a removed ray's answer is known from the frame that traced it.
+    Still,
+    /// Everywhere, as published: where pixels move this adds wrong ones.
+    Published,
+}
+
+/// Corrects a doubt by the last frame's rays (Kern et al. 2024, §3.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TemporalMask {
+    /// ER: trace where a neighbour's history contradicts the estimate.
+    pub expands: bool,
+    /// RR: where doubted pixels whose neighbours' histories agree are trusted.
+    pub removal: Removal,
+    /// Neighbours asked where pixels stand still.
+    pub pattern: Pattern,
+    /// Neighbours asked where pixels move.
+    pub moving_pattern: Pattern,
+    /// The temporal depth test: a pixel where the last frame saw another surface counts as not found.
+    pub depth_test: bool,
+}
+
+impl TemporalMask {
+    /// What holds in motion too: see docs/results/leak-tracing.md.
+    ///
+    /// The depth test is on for the tests that the paper calls for it: ESM and MSM.
+    pub const fn recommended(test: MapTest) -> Self {
+        Self {
+            expands: true,
+            removal: Removal::Still,
+            pattern: Pattern::GATHER_2X2,
+            moving_pattern: Pattern::FULL_3X3,
+            depth_test: matches!(test, MapTest::Esm | MapTest::Msm | MapTest::MsmHausdorff),
+        }
+    }
+}
+
 /// A way to shadow a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Technique {
@@ -97,8 +139,12 @@ pub struct Technique {
     pub estimate: Estimate,
     /// Where that is doubted.
     pub doubt: Doubt,
+    /// What last frame's rays make of the doubt; needs [`Resolve::Ray`].
+    pub mask: Option<TemporalMask>,
     /// What answers the doubt.
     pub resolve: Resolve,
+    /// Whether a map is kept from frame to frame while it covers what the camera sees; else it is drawn every frame.
+    pub reuse: bool,
     /// LTT's ε, in (0, 0.5).
     pub epsilon: f32,
     /// Map resolution if it differs from the setup's.
@@ -123,7 +169,9 @@ impl Technique {
     pub const RAY: Self = Self {
         estimate: Estimate::None,
         doubt: Doubt::Always,
+        mask: None,
         resolve: Resolve::Ray,
+        reuse: true,
         epsilon: LTT_EPSILON,
         map_size: None,
     };
@@ -133,7 +181,9 @@ impl Technique {
         Self {
             estimate: Estimate::Map { test, source },
             doubt: Doubt::Never,
+            mask: None,
             resolve: Resolve::None,
+            reuse: true,
             epsilon: LTT_EPSILON,
             map_size: None,
         }
@@ -144,10 +194,19 @@ impl Technique {
         Self {
             estimate: Estimate::Map { test, source },
             doubt: Doubt::Ltt,
+            mask: None,
             resolve: Resolve::Ray,
+            reuse: true,
             epsilon: LTT_EPSILON,
             map_size: None,
         }
+    }
+
+    /// Leak tracing whole: a filterable map, the leak tracing test, the temporal mask, and rays.
+    pub const fn leak_tracing(test: MapTest, source: MapSource) -> Self {
+        let mut technique = Self::leak_tracing_test(test, source);
+        technique.mask = Some(TemporalMask::recommended(test));
+        technique
     }
 
     /// Every base technique with one line about it.
@@ -169,15 +228,31 @@ impl Technique {
             let words = format!("{} where it is sure, rays where the leak tracing test doubts it", test.id());
             all.push((Self::leak_tracing_test(test, MapSource::Gather), words));
         }
+        for test in MapTest::ALL.into_iter().filter(|t| t.is_filterable()) {
+            let words = format!("leak tracing: ltt-{} corrected by the last frame's rays", test.id());
+            all.push((Self::leak_tracing(test, MapSource::Gather), words));
+        }
         all
     }
 
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 3] {
+    pub fn modifiers() -> [(&'static str, &'static str); 11] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
             ("map=N", "map resolution, a multiple of 64 up to 16384"),
+            ("no-reuse", "over several frames: draw the map every frame instead of keeping it while it fits"),
+            ("no-rr", "lt-: remove no rays"),
+            ("no-er", "lt-: expand no rays"),
+            ("published", "lt-: the paper's rules as published: rays removed where pixels move, one pattern for all"),
+            (
+                "pattern=P",
+                "lt-: neighbours asked where pixels stand still: 3x3, plus, cross, checkerboard, alternating, \
+                 gather (default: a 2×2 jittered over 4 frames), 5x5",
+            ),
+            ("moving=P", "lt-: neighbours asked where pixels move: the same names (default 3x3)"),
+            ("depth-test", "lt-: a pixel that the last frame saw at another depth counts as new (default: esm, msm)"),
+            ("no-depth-test", "lt-: without it"),
         ]
     }
 
@@ -195,10 +270,20 @@ impl fmt::Display for Technique {
         match self.map_test() {
             None => write!(f, "ray")?,
             Some((test, source)) => {
-                let prefix = if self.doubt == Doubt::Ltt { "ltt-" } else { "" };
+                let prefix = match (self.doubt, self.mask) {
+                    (Doubt::Ltt, None) => "ltt-",
+                    (_, Some(_)) => "lt-",
+                    _ => "",
+                };
                 write!(f, "{prefix}{}", test.id())?;
                 if source == MapSource::Prefiltered {
                     write!(f, ":prefiltered")?;
+                }
+                if let Some(mask) = self.mask {
+                    write_mask(f, &mask, &TemporalMask::recommended(test))?;
+                }
+                if !self.reuse {
+                    write!(f, ":no-reuse")?;
                 }
             }
         }
@@ -210,6 +295,56 @@ impl fmt::Display for Technique {
         }
         Ok(())
     }
+}
+
+/// The modifiers that make `mask` of `default`.
+fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &TemporalMask) -> fmt::Result {
+    let mut base = *default;
+    if mask.removal == Removal::Published {
+        write!(f, ":published")?;
+        base = TemporalMask { removal: Removal::Published, moving_pattern: mask.pattern, ..base };
+    }
+    if mask.removal == Removal::Never {
+        write!(f, ":no-rr")?;
+    }
+    if !mask.expands {
+        write!(f, ":no-er")?;
+    }
+    if mask.pattern != base.pattern {
+        write!(f, ":pattern={}", pattern_name(mask.pattern))?;
+    }
+    if mask.moving_pattern != base.moving_pattern {
+        write!(f, ":moving={}", pattern_name(mask.moving_pattern))?;
+    }
+    match (mask.depth_test, base.depth_test) {
+        (true, false) => write!(f, ":depth-test"),
+        (false, true) => write!(f, ":no-depth-test"),
+        _ => Ok(()),
+    }
+}
+
+/// Patterns by the names that ids use.
+const PATTERNS: [(&str, Pattern); 7] = [
+    ("3x3", Pattern::FULL_3X3),
+    ("plus", Pattern::PLUS),
+    ("cross", Pattern::CROSS),
+    ("checkerboard", Pattern::CHECKERBOARD),
+    ("alternating", Pattern::ALTERNATING),
+    ("gather", Pattern::GATHER_2X2),
+    ("5x5", Pattern::FULL_5X5),
+];
+
+fn pattern_name(pattern: Pattern) -> &'static str {
+    PATTERNS.iter().find(|p| p.1 == pattern).map_or("3x3", |p| p.0)
+}
+
+fn parse_pattern(key: &str, name: &str) -> Result<Pattern, String> {
+    let known: Vec<&str> = PATTERNS.iter().map(|p| p.0).collect();
+    PATTERNS
+        .iter()
+        .find(|p| p.0 == name)
+        .map(|p| p.1)
+        .ok_or_else(|| format!("`{key}={name}`: no such pattern; known: {}", known.join(", ")))
 }
 
 impl FromStr for Technique {
@@ -226,6 +361,9 @@ impl FromStr for Technique {
         for modifier in parts {
             apply_modifier(&mut technique, modifier).map_err(&fail)?;
         }
+        if technique.mask.is_some_and(|m| !m.expands && m.removal == Removal::Never) {
+            return Err(fail("`no-er` and `no-rr` together leave no mask: use the ltt- technique".into()));
+        }
         Ok(technique)
     }
 }
@@ -234,15 +372,12 @@ fn base_technique(base: &str) -> Option<Technique> {
     if base == "ray" {
         return Some(Technique::RAY);
     }
-    let (name, is_hybrid) = match base.strip_prefix("ltt-") {
-        Some(rest) => (rest, true),
-        None => (base, false),
-    };
-    let test = MapTest::ALL.into_iter().find(|t| t.id() == name)?;
-    match is_hybrid {
-        true => test.is_filterable().then(|| Technique::leak_tracing_test(test, MapSource::Gather)),
-        false => Some(Technique::map(test, MapSource::Gather)),
-    }
+    type Make = fn(MapTest, MapSource) -> Technique;
+    let kinds: [(&str, Make); 3] =
+        [("ltt-", Technique::leak_tracing_test), ("lt-", Technique::leak_tracing), ("", Technique::map)];
+    let (prefix, make) = kinds.into_iter().find(|k| base.starts_with(k.0))?;
+    let test = MapTest::ALL.into_iter().find(|t| t.id() == &base[prefix.len()..])?;
+    (prefix.is_empty() || test.is_filterable()).then(|| make(test, MapSource::Gather))
 }
 
 fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), String> {
@@ -266,6 +401,28 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
             technique.map_size = Some(parse_map_size(value)?);
         }
         "map" => return Err("`map` needs a technique that draws a map".into()),
+        "no-reuse" if technique.estimate != Estimate::None => technique.reuse = false,
+        "no-reuse" => return Err("`no-reuse` needs a technique that draws a map".into()),
+        "no-rr" | "no-er" | "published" | "pattern" | "moving" | "depth-test" | "no-depth-test" => {
+            let Some(mask) = &mut technique.mask else {
+                return Err(format!("`{key}` needs a technique with a temporal mask, such as lt-evsm"));
+            };
+            match key {
+                "no-rr" => mask.removal = Removal::Never,
+                "no-er" => mask.expands = false,
+                "published" => {
+                    *mask = TemporalMask { removal: Removal::Published, moving_pattern: mask.pattern, ..*mask };
+                }
+                "pattern" => {
+                    mask.pattern = parse_pattern(key, value)?;
+                    if mask.removal == Removal::Published {
+                        mask.moving_pattern = mask.pattern;
+                    }
+                }
+                "moving" => mask.moving_pattern = parse_pattern(key, value)?,
+                _ => mask.depth_test = key == "depth-test",
+            }
+        }
         _ => {
             let known: Vec<&str> = Technique::modifiers().iter().map(|m| m.0).collect();
             return Err(format!("unknown modifier `{modifier}`; known: {}", known.join(", ")));
@@ -294,15 +451,35 @@ mod tests {
 
     #[test]
     fn modifiers_survive_a_round_trip() {
-        for id in ["ltt-evsm:prefiltered:eps=0.02:map=1024", "vsm:prefiltered", "sm:map=512"] {
+        for id in [
+            "ltt-evsm:prefiltered:eps=0.02:map=1024",
+            "vsm:prefiltered",
+            "sm:no-reuse:map=512",
+            "lt-evsm:no-rr:pattern=3x3:moving=5x5:depth-test",
+            "lt-msm:prefiltered:no-er:pattern=plus:no-depth-test:no-reuse:eps=0.02",
+            "lt-esm:published",
+            "lt-esm:published:pattern=alternating:moving=cross",
+        ] {
             assert_eq!(id.parse::<Technique>().unwrap().to_string(), id);
         }
     }
 
     #[test]
     fn nonsense_is_refused_with_a_remedy() {
-        for id in ["", "ltt-sm", "ray:map=64", "sm:prefiltered", "ltt-vsm:eps=0.7", "vsm:map=100", "evsm:foo"]
-        {
+        for id in [
+            "",
+            "ltt-sm",
+            "lt-pcf",
+            "ray:map=64",
+            "sm:prefiltered",
+            "ltt-vsm:eps=0.7",
+            "vsm:map=100",
+            "evsm:foo",
+            "ltt-evsm:no-rr",
+            "lt-evsm:pattern=2x2",
+            "lt-evsm:no-er:no-rr",
+            "ray:no-reuse",
+        ] {
             assert!(id.parse::<Technique>().unwrap_err().problem.len() > 20, "{id}");
         }
     }

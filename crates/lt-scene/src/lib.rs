@@ -25,6 +25,7 @@ pub mod gltf;
 mod light;
 mod material;
 mod mesh;
+mod path;
 mod scene;
 mod source;
 
@@ -33,5 +34,6 @@ pub use error::SceneError;
 pub use light::{Light, LightKind};
 pub use material::{AlphaMode, Material, Texture, TextureRef, UvTransform, Wrap};
 pub use mesh::{Instance, Mesh};
+pub use path::CameraPath;
 pub use scene::{Bounds, Repairs, Scene};
 pub use source::Source;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::{Scene, SceneError, builtin::Builtin, gltf::GltfAsset};
+use crate::{Camera, CameraPath, Scene, SceneError, builtin::Builtin, gltf::GltfAsset};
 
 /// Something that can be posed at any time: a procedural place or a glTF file.
 #[derive(Clone, Debug)]
@@ -36,6 +36,14 @@ impl Source {
         match self {
             Self::Builtin(b) => Ok(b.pose(time_s)),
             Self::Gltf(g) => g.pose(time_s),
+        }
+    }
+
+    /// The way a camera takes through it from `start`: a procedural place's own, else an orbit around the target.
+    pub fn camera_path(&self, start: Camera) -> CameraPath {
+        match self {
+            Self::Builtin(b) => b.camera_path(start),
+            Self::Gltf(_) => CameraPath::around_target(start),
         }
     }
 }

@@ -150,6 +150,43 @@ impl Material {
     pub const CLAMP: u32 = 2;
 }
 
+/// One frame of the temporal mask.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct MaskParams {
+    /// This frame's camera.
+    pub current: CameraParams,
+    /// The camera of the frame that the history is of.
+    pub previous: CameraParams,
+    /// See [`ShadowParams::light`].
+    pub light: Vec4,
+    /// Counts frames; steers the patterns that change over time.
+    pub frame: u32,
+    /// Number of the pattern where pixels stand still (`lt_mask::Pattern`).
+    pub still_pattern: u32,
+    /// Number of the pattern where pixels move.
+    pub moving_pattern: u32,
+    /// [`MaskParams::HAS_HISTORY`] and the other flags.
+    pub flags: u32,
+    /// Relative tolerance of the temporal depth test.
+    pub depth_tolerance: f32,
+    /// Explicit padding: scalars, because uniform arrays would need a stride of 16.
+    pub pad0: u32,
+    /// Explicit padding.
+    pub pad1: u32,
+    /// Explicit padding.
+    pub pad2: u32,
+}
+
+impl MaskParams {
+    /// Flag: there is a last frame to learn from; without it every pixel is one that was not found.
+    pub const HAS_HISTORY: u32 = 1;
+    /// Flag: rays may be removed in this frame, where no guard of the pixel's own forbids it.
+    pub const MAY_REMOVE: u32 = 2;
+    /// Flag: rays may be removed where pixels move too, as published.
+    pub const MAY_REMOVE_MOVING: u32 = 4;
+}
+
 /// Sun, sky and tone for the shading pass.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -198,6 +235,7 @@ const _: () = {
     assert!(size_of::<ShadowParams>() == 128);
     assert!(size_of::<Vertex>() == 20);
     assert!(size_of::<Material>() == 48);
+    assert!(size_of::<MaskParams>() == 208);
     assert!(size_of::<ShadeParams>() == 112);
     assert!(size_of::<DepthParams>() == 80);
     assert!(size_of::<FilterParams>() == 32);

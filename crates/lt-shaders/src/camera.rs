@@ -1,7 +1,7 @@
 //! The camera pass: one primary ray per pixel centre becomes a visible sample.
 
 use lt_bvh::{AnyHit, Hit, Ray};
-use lt_math::glam::{UVec2, Vec3};
+use lt_math::glam::{UVec2, Vec3, Vec4};
 
 use crate::{
     abi::{CameraParams, Material, Sample, Vertex},
@@ -59,18 +59,9 @@ pub fn primary_ray(px: UVec2, p: &CameraParams) -> Ray {
     Ray::new(p.eye, primary_direction(px, p))
 }
 
-/// Traces the primary ray of `px` and describes what it sees.
-pub fn visible_sample<G: Geometry, A: AnyHit, C: ColorSource>(
-    px: UVec2,
-    p: &CameraParams,
-    geometry: G,
-    vertices: &[Vertex],
-    materials: &[Material],
-    any_hit: A,
-    colors: C,
-) -> Sample {
-    let hit = geometry.closest(primary_ray(px, p), any_hit);
-    sample_at_hit(&hit, p, geometry, vertices, materials, colors)
+/// What the primary ray of `px` hits first.
+pub fn closest<G: Geometry, A: AnyHit>(px: UVec2, p: &CameraParams, geometry: G, any_hit: A) -> Hit {
+    geometry.closest(primary_ray(px, p), any_hit)
 }
 
 /// Describes what a primary ray hit; [`Sample::default`] on a miss.
@@ -106,6 +97,24 @@ pub fn sample_at_hit<G: Geometry, C: ColorSource>(
         shading_normal: shading_normal(&corners, weights, hit, geometry, face),
         albedo: pack_albedo(albedo),
     }
+}
+
+/// Where the point that a primary ray hit was in the last frame, world space; the camera's own `position` of a surface at
+/// rest, bit for bit. Zero on a miss.
+///
+/// `previous` holds the last positions of the vertices in their tree's space. Placed trees are taken to stand still: what
+/// moves is baked.
+pub fn previous_position<G: Geometry>(hit: &Hit, geometry: G, previous: &[Vec4]) -> Vec3 {
+    if !hit.is_hit() {
+        return Vec3::ZERO;
+    }
+    let weights = barycentric_weights(hit.u, hit.v);
+    let t = geometry.triangle(hit);
+    // No closure: it would hold the geometry by reference, which rust-gpu cannot take apart for naga.
+    let (v0, v1, v2) = (previous[t.i0 as usize], previous[t.i1 as usize], previous[t.i2 as usize]);
+    geometry.point_to_world(hit, v0.truncate()) * weights.x
+        + geometry.point_to_world(hit, v1.truncate()) * weights.y
+        + geometry.point_to_world(hit, v2.truncate()) * weights.z
 }
 
 fn shading_normal<G: Geometry>(

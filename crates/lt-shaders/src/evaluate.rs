@@ -11,13 +11,18 @@ use crate::abi::{Sample, ShadowParams};
 /// Estimate and doubt of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// 1 lit, 0 blocked.
+    /// 1 lit, 0 blocked. Under a doubt test: exactly 0 or 1 where it is trusted, the map's own answer between them where
+    /// it is doubted, [`Verdict::UNJUDGED`] where no map answered; so this one number tells all to the mask pass.
     pub visibility: f32,
     /// Whether only a ray can tell.
     pub is_doubted: bool,
 }
 
 impl Verdict {
+    /// Visibility of a doubted pixel about which no map says anything: outside the map, or its answer is NaN. A map that
+    /// answers exactly this is as undecided, and treated alike.
+    pub const UNJUDGED: f32 = 0.5;
+
     const BLOCKED: Self = Self { visibility: 0.0, is_doubted: false };
     const LIT: Self = Self { visibility: 1.0, is_doubted: false };
 }
@@ -176,6 +181,17 @@ pub fn plane_slope(projection: &LightProjection, normal: Vec3, map_size: u32) ->
 /// Cap of the receiver-plane bias, light depth: beyond it a shadow would detach visibly.
 const MAX_SLOPE: f32 = 0.002;
 
+/// The leak tracing test on a map's answer: trusted answers are snapped, sure light to 1, sure shadow to 0.
+#[inline]
+pub fn doubt(visibility: f32, epsilon: f32) -> Verdict {
+    if !needs_ray(visibility, epsilon) {
+        return Verdict { visibility: if visibility > 0.5 { 1.0 } else { 0.0 }, is_doubted: false };
+    }
+    // Written so that NaN is unjudged too.
+    let is_between = visibility > 0.0 && visibility < 1.0;
+    Verdict { visibility: if is_between { visibility } else { Verdict::UNJUDGED }, is_doubted: true }
+}
+
 /// Estimate and doubt of one pixel by a map; with `LTT` off nothing is ever doubted.
 pub fn evaluate<T: TestFromParams, M: MapSource, const LTT: bool>(
     sample: &Sample,
@@ -188,7 +204,7 @@ pub fn evaluate<T: TestFromParams, M: MapSource, const LTT: bool>(
     }
     let point = p.projection.project(sample.position);
     if !point.is_inside {
-        return Verdict { visibility: 1.0, is_doubted: LTT };
+        return Verdict { visibility: if LTT { Verdict::UNJUDGED } else { 1.0 }, is_doubted: LTT };
     }
     let mut depth = point.depth;
     if T::PLANE_BIAS_TEXELS > 0.0 {
@@ -197,10 +213,7 @@ pub fn evaluate<T: TestFromParams, M: MapSource, const LTT: bool>(
     let footprint = bilinear_footprint(point.uv * Vec2::splat(p.map_size as f32));
     let visibility = map.visibility(T::from_params(p.test), footprint, p.map_size, depth);
     if LTT {
-        let is_doubted = needs_ray(visibility, p.epsilon);
-        // What is trusted is snapped: sure light is 1, sure shadow 0.
-        let snapped = if visibility > 0.5 { 1.0 } else { 0.0 };
-        return Verdict { visibility: snapped, is_doubted };
+        return doubt(visibility, p.epsilon);
     }
     Verdict { visibility, is_doubted: false }
 }

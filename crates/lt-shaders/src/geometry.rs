@@ -16,6 +16,8 @@ pub trait Geometry: Copy {
     fn triangle(&self, hit: &Hit) -> Triangle;
     /// The triangle that was hit, its corners in world space.
     fn corners_world(&self, hit: &Hit) -> [Vec3; 3];
+    /// A point of the hit's tree in world space.
+    fn point_to_world(&self, hit: &Hit, point: Vec3) -> Vec3;
     /// A normal of the hit's tree in world space, any length.
     fn normal_to_world(&self, hit: &Hit, normal: Vec3) -> Vec3;
 }
@@ -42,6 +44,9 @@ impl Geometry for FlatGeometry<'_> {
     fn corners_world(&self, hit: &Hit) -> [Vec3; 3] {
         let t = self.triangle(hit);
         [t.v0, t.v1, t.v2]
+    }
+    fn point_to_world(&self, _hit: &Hit, point: Vec3) -> Vec3 {
+        point
     }
     fn normal_to_world(&self, _hit: &Hit, normal: Vec3) -> Vec3 {
         normal
@@ -75,6 +80,9 @@ impl Geometry for InstancedGeometry<'_> {
         let t = self.triangle(hit);
         let instance = &self.instances[hit.instance as usize];
         [instance.point_to_world(t.v0), instance.point_to_world(t.v1), instance.point_to_world(t.v2)]
+    }
+    fn point_to_world(&self, hit: &Hit, point: Vec3) -> Vec3 {
+        self.instances[hit.instance as usize].point_to_world(point)
     }
     fn normal_to_world(&self, hit: &Hit, normal: Vec3) -> Vec3 {
         // The inverse transpose of object-to-world: the transpose of world-to-object.

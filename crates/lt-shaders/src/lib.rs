@@ -2,7 +2,7 @@
 //! Shadow passes as plain functions, and the SPIR-V entry points that call them.
 //!
 //! # Idea
-//! Every pass is one function over small `Copy` views: [`camera::visible_sample`], [`evaluate::evaluate`],
+//! Every pass is one function over small `Copy` views: [`camera::sample_at_hit`], [`evaluate::evaluate`], [`mask::mask`],
 //! [`resolve::trace_visibility`], [`filter::filter_x`], [`shade::shade`]. The CPU backend calls it from rayon; the entry points in `entry` (compiled
 //! only for SPIR-V, by `cargo xtask build-shaders`) unpack bindings and call it too. Nothing is written twice.
 //!
@@ -39,6 +39,7 @@ pub mod evaluate;
 pub mod filter;
 pub mod gbuffer;
 pub mod geometry;
+pub mod mask;
 pub mod resolve;
 pub mod shade;
 pub mod surface;

@@ -6,6 +6,7 @@
 mod effects;
 mod labels;
 mod layers;
+mod path;
 mod plot;
 
 use lt_render::{Comparison, Row};
@@ -15,12 +16,14 @@ use serde::Serialize;
 use crate::{
     files,
     numbers::{decimals, factor, grouped, ms, ppm},
+    play::Playback,
     results::frontier_of,
     summary::Summary,
 };
 
 use effects::EffectTable;
 use layers::Layers;
+use path::PathReport;
 
 /// Everything the template shows.
 #[derive(Debug, Serialize)]
@@ -33,6 +36,7 @@ pub struct Report {
     shown: usize,
     layers: Layers,
     plot: Option<String>,
+    path: Option<PathReport>,
     effects: EffectTable,
     rows: Vec<ReportRow>,
 }
@@ -53,7 +57,12 @@ impl Report {
     ///
     /// # Errors
     /// A picture that cannot be encoded, or a plot that cannot be drawn.
-    pub fn new(summary: &Summary, comparison: &Comparison, is_valid: &[bool]) -> anyhow::Result<Self> {
+    pub fn new(
+        summary: &Summary,
+        comparison: &Comparison,
+        is_valid: &[bool],
+        playback: Option<&Playback>,
+    ) -> anyhow::Result<Self> {
         let best = frontier_of(comparison);
         Ok(Self {
             title: format!("Shadows of {}", summary.scene),
@@ -67,6 +76,7 @@ impl Report {
                 .unwrap_or(0),
             layers: Layers::fitting(comparison, is_valid, layers::BUDGET)?,
             plot: plot::error_against_time(&plot::points(comparison, &best))?,
+            path: playback.map(|p| PathReport::new(comparison, p)).transpose()?,
             effects: EffectTable::of(&comparison.rows),
             rows: comparison.rows.iter().zip(best).map(|(row, is_best)| report_row(row, is_best)).collect(),
         })
@@ -146,7 +156,16 @@ mod tests {
     use crate::fixture;
 
     fn page() -> String {
-        Report::new(&fixture::summary(), &fixture::comparison(), &[true; 8]).unwrap().render().unwrap()
+        Report::new(&fixture::summary(), &fixture::comparison(), &[true; 8], None).unwrap().render().unwrap()
+    }
+
+    #[test]
+    fn several_frames_get_plots_and_masks() {
+        let (comparison, playback) = fixture::played();
+        let report = Report::new(&fixture::summary(), &comparison, &[true; 8], Some(&playback)).unwrap();
+        let page = report.render().unwrap();
+        assert!(page.contains("Over the frames") && page.contains("Temporal mask"));
+        assert!(!super::tests::page().contains("Over the frames"));
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! that matters (the depth test's) is a minimum.
 
 mod batch;
+mod history;
 mod raster;
 mod shortcut;
 mod tiles;
@@ -11,10 +12,13 @@ mod tiles;
 use std::time::Instant;
 
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
-use lt_math::glam::{UVec2, Vec4};
+use history::{History, Seen};
+use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
 use lt_shaders::abi::{CameraParams, FilterParams, Material, Sample, ShadeParams, ShadowParams};
-use lt_shaders::camera::{ColorSource, ColorTextures, NoColorTextures, primary_ray, sample_at_hit};
+use lt_shaders::camera::{
+    ColorSource, ColorTextures, NoColorTextures, previous_position, primary_ray, sample_at_hit,
+};
 use lt_shaders::evaluate::{
     FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate, settle,
 };
@@ -39,19 +43,31 @@ pub struct CpuBackend {
     tiles: Tiles,
     /// In tile order, like the other per-pixel buffers.
     samples: Vec<Sample>,
+    /// Where each sample was in the last frame; empty while nothing in the scene moves.
+    previous: Vec<Vec3>,
     visibility: Vec<f32>,
     is_doubted: Vec<bool>,
+    /// What techniques keep between frames, by the job's slot.
+    slots: Vec<Slot>,
+    /// The running frame's slot.
+    slot: usize,
+    rays: u64,
+    passes: Vec<Pass>,
+}
+
+/// One technique's map and history.
+#[derive(Default)]
+struct Slot {
     depths: Vec<f32>,
     rows: Vec<Vec4>,
     vectors: Vec<Vec4>,
-    rays: u64,
-    passes: Vec<Pass>,
+    history: History,
 }
 
 impl CpuBackend {
     /// The depth map that the last frame drew, in rows; empty before the first.
     pub fn depth_map(&self) -> &[f32] {
-        &self.depths
+        &self.slots[self.slot].depths
     }
 
     /// Takes the scene and prepares its tracer.
@@ -62,11 +78,11 @@ impl CpuBackend {
             scene,
             tiles: Tiles::new(UVec2::ZERO),
             samples: Vec::new(),
+            previous: Vec::new(),
             visibility: Vec::new(),
             is_doubted: Vec::new(),
-            depths: Vec::new(),
-            rows: Vec::new(),
-            vectors: Vec::new(),
+            slots: Vec::new(),
+            slot: 0,
             rays: 0,
             passes: Vec::new(),
         }
@@ -99,25 +115,27 @@ impl Backend for CpuBackend {
         format!("{} ({:?})", cpu_model(), tracer(&self.scene).level())
     }
 
+    fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError> {
+        tracer(&scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
+        self.scene = scene;
+        Ok(())
+    }
+
     fn camera(&mut self, params: &CameraParams, plan: &EffectPlan) -> Result<Option<f64>, RenderError> {
         self.tiles = Tiles::new(params.size);
         let len = self.tiles.len();
-        self.samples = vec![Sample::default(); len];
-        self.visibility = vec![0.0; len];
-        self.is_doubted = vec![false; len];
+        self.samples.resize(len, Sample::default());
+        self.previous.resize(if plan.object_motion { len } else { 0 }, Vec3::ZERO);
+        self.visibility.resize(len, 0.0);
+        self.is_doubted.resize(len, false);
         let start = Instant::now();
         let covers = coverage(&self.scene, 0);
+        let view = View { scene: &self.scene, tiles: self.tiles, params };
         match (plan.alpha_test, plan.color_textures) {
-            (false, false) => {
-                see(&self.scene, self.tiles, params, Opaque, NoColorTextures, &mut self.samples)
-            }
-            (true, false) => see(&self.scene, self.tiles, params, covers, NoColorTextures, &mut self.samples),
-            (false, true) => {
-                see(&self.scene, self.tiles, params, Opaque, colors(&self.scene), &mut self.samples)
-            }
-            (true, true) => {
-                see(&self.scene, self.tiles, params, covers, colors(&self.scene), &mut self.samples)
-            }
+            (false, false) => see(view, Opaque, NoColorTextures, &mut self.samples, &mut self.previous),
+            (true, false) => see(view, covers, NoColorTextures, &mut self.samples, &mut self.previous),
+            (false, true) => see(view, Opaque, colors(&self.scene), &mut self.samples, &mut self.previous),
+            (true, true) => see(view, covers, colors(&self.scene), &mut self.samples, &mut self.previous),
         }
         Ok(Some(milliseconds(start)))
     }
@@ -129,9 +147,15 @@ impl Backend for CpuBackend {
     fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError> {
         let map_texels = job.map.map_or(0, |m| (m.depth.map_size as usize).pow(2));
         let vector_texels = if job.plan.is_prefiltered() { map_texels } else { 0 };
-        self.depths.resize(map_texels, 1.0);
-        self.rows.resize(vector_texels, Vec4::ZERO);
-        self.vectors.resize(vector_texels, Vec4::ZERO);
+        self.slot = job.slot;
+        if self.slots.len() <= job.slot {
+            self.slots.resize_with(job.slot + 1, Slot::default);
+        }
+        let slot = &mut self.slots[job.slot];
+        slot.depths.resize(map_texels, 1.0);
+        slot.rows.resize(vector_texels, Vec4::ZERO);
+        slot.vectors.resize(vector_texels, Vec4::ZERO);
+        slot.history.begin(self.tiles, job.plan.mask);
         self.is_doubted.fill(false);
         self.rays = 0;
         self.passes.clear();
@@ -140,15 +164,17 @@ impl Backend for CpuBackend {
 
     fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
         let start = Instant::now();
+        let slot = &mut self.slots[self.slot];
         match (kind, job.map, job.plan.map) {
             (PassKind::DepthMap, Some(map), _) => {
-                raster::draw_depths(&self.scene, &map.depth, &mut self.depths)
+                raster::draw_depths(&self.scene, &map.depth, &mut slot.depths)
             }
             (PassKind::FilterX, Some(map), Some((test, _))) => {
-                blur_rows(test, &map.filter, &self.depths, &mut self.rows)
+                blur_rows(test, &map.filter, &slot.depths, &mut slot.rows)
             }
-            (PassKind::FilterY, Some(map), _) => blur_columns(&map.filter, &self.rows, &mut self.vectors),
+            (PassKind::FilterY, Some(map), _) => blur_columns(&map.filter, &slot.rows, &mut slot.vectors),
             (PassKind::Evaluate, _, Some((test, source))) => self.estimate(test, source, job),
+            (PassKind::Mask, ..) => self.correct(job),
             (PassKind::Resolve, ..) => self.rays = self.resolve(job),
             _ => {}
         }
@@ -157,8 +183,9 @@ impl Backend for CpuBackend {
     }
 
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError> {
+        let slot = &self.slots[self.slot];
         let bytes =
-            size_of_val(&self.depths[..]) + size_of_val(&self.rows[..]) + size_of_val(&self.vectors[..]);
+            size_of_val(&slot.depths[..]) + size_of_val(&slot.rows[..]) + size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
             let lit_side = |s: &Sample| !settle(s, job.shadow.light).1;
@@ -171,6 +198,8 @@ impl Backend for CpuBackend {
             rays: self.rays,
             passes: std::mem::take(&mut self.passes),
             map_bytes: bytes as u64,
+            mask: job.plan.mask.map_or(Vec::new(), |_| slot.history.rows(self.tiles)),
+            map_draws: u32::from(job.draws_map),
         })
     }
 
@@ -206,7 +235,8 @@ impl CpuBackend {
     }
 
     fn estimate_batched<T: BatchTest>(&mut self, job: &FrameJob) {
-        let (p, depths, has_doubts) = (&job.shadow, &self.depths[..], job.plan.doubt_list);
+        let depths = &self.slots[self.slot].depths[..];
+        let (p, has_doubts) = (&job.shadow, job.plan.doubt_list);
         let blocks = (self.samples.par_chunks(BLOCK))
             .zip(self.visibility.par_chunks_mut(BLOCK))
             .zip(self.is_doubted.par_chunks_mut(BLOCK));
@@ -217,8 +247,9 @@ impl CpuBackend {
     }
 
     fn estimate_with<T: TestFromParams>(&mut self, source: MapSource, job: &FrameJob) {
-        let gathered = GatheredDepths { depths: &self.depths };
-        let filtered = FilteredVectors { vectors: &self.vectors };
+        let slot = &self.slots[self.slot];
+        let gathered = GatheredDepths { depths: &slot.depths };
+        let filtered = FilteredVectors { vectors: &slot.vectors };
         let (samples, lit, doubted) = (&self.samples[..], &mut self.visibility[..], &mut self.is_doubted[..]);
         match (source, job.plan.doubt_list) {
             (MapSource::Gather, false) => {
@@ -236,13 +267,29 @@ impl CpuBackend {
         }
     }
 
+    /// The mask pass.
+    fn correct(&mut self, job: &FrameJob) {
+        let (Some(params), Some(effects)) = (&job.mask, job.plan.mask) else { return };
+        let seen = Seen {
+            tiles: self.tiles,
+            samples: &self.samples,
+            previous: if job.plan.object_motion { &self.previous } else { &[] },
+        };
+        let history = &mut self.slots[self.slot].history;
+        history.correct(seen, params, effects, &mut self.visibility, &mut self.is_doubted);
+    }
+
     fn resolve(&mut self, job: &FrameJob) -> u64 {
         let (scene, light, all) = (&self.scene, job.shadow.light, job.plan.trace_all);
         let (samples, doubted, lit) = (&self.samples[..], &self.is_doubted[..], &mut self.visibility[..]);
-        match job.plan.alpha_test {
+        let rays = match job.plan.alpha_test {
             true => trace(scene, light, all, coverage(scene, Material::CASTS), samples, doubted, lit),
             false => trace(scene, light, all, Opaque, samples, doubted, lit),
+        };
+        if job.plan.mask.is_some() {
+            self.slots[self.slot].history.learn(&self.visibility, &self.is_doubted);
         }
+        rays
     }
 }
 
@@ -357,39 +404,47 @@ fn colors(scene: &PackedScene) -> ColorTextures<'_> {
     ColorTextures { texels: scene.color_texels() }
 }
 
-/// The camera pass over all tiles.
-fn see<A: AnyHit + Sync, C: ColorSource + Sync>(
-    scene: &PackedScene,
+/// What the camera pass looks at and from where.
+#[derive(Clone, Copy)]
+struct View<'a> {
+    scene: &'a PackedScene,
     tiles: Tiles,
-    p: &CameraParams,
+    params: &'a CameraParams,
+}
+
+/// The camera pass over all tiles; `previous` is empty, or also gets where every sample was in the last frame.
+fn see<A: AnyHit + Sync, C: ColorSource + Sync>(
+    view: View<'_>,
     any_hit: A,
     colors: C,
     samples: &mut [Sample],
+    previous: &mut [Vec3],
 ) {
+    let scene = view.scene;
     let (nodes, triangles) = (scene.nodes(), scene.triangles());
     match scene.trees() {
         Trees::Flat(_) => {
-            see_geometry(scene, tiles, p, FlatGeometry { nodes, triangles }, any_hit, colors, samples)
+            see_geometry(view, FlatGeometry { nodes, triangles }, any_hit, colors, samples, previous);
         }
         Trees::Instanced(_) => {
             let geometry =
                 InstancedGeometry { nodes, triangles, instances: scene.instances(), root: scene.root() };
-            see_geometry(scene, tiles, p, geometry, any_hit, colors, samples);
+            see_geometry(view, geometry, any_hit, colors, samples, previous);
         }
     }
 }
 
 fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
-    scene: &PackedScene,
-    tiles: Tiles,
-    p: &CameraParams,
+    view: View<'_>,
     geometry: G,
     any_hit: A,
     colors: C,
     samples: &mut [Sample],
+    previous: &mut [Vec3],
 ) {
+    let View { scene, tiles, params: p } = view;
     let tracer = tracer(scene);
-    samples.par_chunks_mut(BLOCK).enumerate().for_each(|(block, samples)| {
+    let see_block = |block: usize, samples: &mut [Sample], previous: &mut [Vec3]| {
         let pixels: Vec<Option<UVec2>> = (0..BLOCK).map(|i| tiles.pixel(block, i)).collect();
         let rays: Vec<Ray> =
             pixels.iter().map(|px| px.map_or(Ray::default(), |px| primary_ray(px, p))).collect();
@@ -398,7 +453,17 @@ fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
         for (sample, hit) in samples.iter_mut().zip(&hits) {
             *sample = sample_at_hit(hit, p, geometry, scene.vertices(), scene.materials(), colors);
         }
-    });
+        for (previous, hit) in previous.iter_mut().zip(&hits) {
+            *previous = previous_position(hit, geometry, scene.previous_positions());
+        }
+    };
+    let blocks = samples.par_chunks_mut(BLOCK);
+    if previous.is_empty() {
+        blocks.enumerate().for_each(|(block, samples)| see_block(block, samples, &mut []));
+    } else {
+        let both = blocks.zip(previous.par_chunks_mut(BLOCK)).enumerate();
+        both.for_each(|(block, (samples, previous))| see_block(block, samples, previous));
+    }
 }
 
 fn milliseconds(start: Instant) -> f64 {

@@ -34,6 +34,14 @@ impl Tiles {
         px.cmplt(self.size).all().then_some(px)
     }
 
+    /// The position in tile order of a pixel of the picture.
+    #[inline]
+    pub fn index(&self, px: UVec2) -> usize {
+        let block = (px.y / SIDE) * self.columns + px.x / SIDE;
+        let inside = SPREAD[(px.x % SIDE) as usize] | SPREAD[(px.y % SIDE) as usize] << 1;
+        block as usize * BLOCK + inside as usize
+    }
+
     /// A buffer in tile order, row by row.
     pub fn to_rows<T: Copy + Default>(self, tiled: &[T]) -> Vec<T> {
         let mut rows = vec![T::default(); (self.size.x * self.size.y) as usize];
@@ -52,6 +60,21 @@ impl Tiles {
         self.size
     }
 }
+
+/// Five bits spread to the even ones of ten: the inverse of [`even_bits`].
+const SPREAD: [u16; SIDE as usize] = {
+    let mut spread = [0; SIDE as usize];
+    let mut i = 0;
+    while i < SIDE as usize {
+        let mut bit = 0;
+        while bit < 5 {
+            spread[i] |= ((i >> bit & 1) << (2 * bit)) as u16;
+            bit += 1;
+        }
+        i += 1;
+    }
+    spread
+};
 
 /// The even bits of a 10-bit number, packed.
 fn even_bits(x: u32) -> u32 {
@@ -73,6 +96,10 @@ mod tests {
             assert!(tiles.to_rows(&ones).iter().all(|v| *v == 1));
             let pixels = (0..tiles.len()).filter(|i| tiles.pixel(i / BLOCK, i % BLOCK).is_some()).count();
             assert_eq!(pixels as u32, size.x * size.y);
+            for i in 0..tiles.len() {
+                let there_and_back = tiles.pixel(i / BLOCK, i % BLOCK).map(|px| tiles.index(px));
+                assert!(there_and_back.is_none_or(|j| j == i));
+            }
         }
     }
 

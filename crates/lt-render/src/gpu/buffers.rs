@@ -16,16 +16,36 @@ pub struct GpuScene {
     pub(super) instances: Option<wgpu::Buffer>,
     pub(super) alpha_texels: Option<wgpu::Buffer>,
     pub(super) color_texels: Option<wgpu::Buffer>,
+    pub(super) previous_positions: Option<wgpu::Buffer>,
     pub(super) draws: Vec<DrawRange>,
 }
 
-/// Per-pixel buffers of a view, and the map of the last frame.
+/// Per-pixel buffers of a view, and what techniques keep between frames.
 pub struct FrameBuffers {
     pub(super) size: UVec2,
     pub(super) samples: wgpu::Buffer,
+    /// Where each sample was in the last frame; only while things in the scene move.
+    pub(super) past: Option<wgpu::Buffer>,
     pub(super) visibility: wgpu::Buffer,
-    pub(super) map: Option<MapBuffers>,
     pub(super) doubt: Option<DoubtBuffers>,
+    /// By [`crate::FrameJob::slot`].
+    pub(super) slots: Vec<SlotBuffers>,
+}
+
+/// One technique's map and history.
+#[derive(Default)]
+pub(super) struct SlotBuffers {
+    pub map: Option<MapBuffers>,
+    pub history: Option<HistoryBuffers>,
+}
+
+/// The temporal mask's memory: the last frame's and this one's take turns.
+pub(super) struct HistoryBuffers {
+    pub bits: [wgpu::Buffer; 2],
+    /// Depths along the view axis, for the temporal depth test.
+    pub depths: Option<[wgpu::Buffer; 2]>,
+    /// Which of the two is this frame's.
+    pub current: usize,
 }
 
 /// One light map.
@@ -125,6 +145,10 @@ impl Allocator {
                 _ => Some(self.filled("coverage texels", scene.alpha_texels(), Usage::STORAGE)?),
             },
             color_texels: used(scene.color_texels(), "colour texels")?,
+            previous_positions: match scene.previous_positions() {
+                [] => None,
+                all => Some(self.filled("last positions", all, Usage::STORAGE)?),
+            },
             draws: scene.draws().to_vec(),
         })
     }
@@ -140,8 +164,9 @@ impl Allocator {
                 pixels * 4,
                 Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST,
             )?,
-            map: None,
+            past: None,
             doubt: None,
+            slots: Vec::new(),
         })
     }
 
@@ -172,6 +197,25 @@ impl Allocator {
                 true => Some([vectors("blurred rows")?, vectors("blurred vectors")?]),
                 false => None,
             },
+        })
+    }
+
+    pub fn past(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {
+        let pixels = u64::from(size.x) * u64::from(size.y);
+        self.empty("last positions of samples", pixels * 16, Usage::STORAGE)
+    }
+
+    pub fn history(&self, size: UVec2, has_depths: bool) -> Result<HistoryBuffers, RenderError> {
+        let bytes = u64::from(size.x) * u64::from(size.y) * 4;
+        let bits = || self.empty("mask", bytes, Usage::STORAGE | Usage::COPY_SRC);
+        let depths = || self.empty("last depths", bytes, Usage::STORAGE);
+        Ok(HistoryBuffers {
+            bits: [bits()?, bits()?],
+            depths: match has_depths {
+                true => Some([depths()?, depths()?]),
+                false => None,
+            },
+            current: 0,
         })
     }
 

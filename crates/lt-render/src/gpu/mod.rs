@@ -21,6 +21,7 @@ pub use recorder::Recorder;
 
 use std::time::Instant;
 
+use lt_mask::MaskBits;
 use lt_math::glam::UVec2;
 use lt_shaders::abi::{CameraParams, Sample, ShadeParams};
 use lt_shaders::doubt::{COUNT, LIST_START};
@@ -166,11 +167,19 @@ impl Backend for GpuBackend {
         self.device_name.clone()
     }
 
+    fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError> {
+        self.scene = self.recorder.upload(&scene)?;
+        Ok(())
+    }
+
     fn camera(&mut self, params: &CameraParams, plan: &EffectPlan) -> Result<Option<f64>, RenderError> {
-        self.frame = self.recorder.frame_buffers(params.size)?;
+        // The next view of the same size: maps and histories stay.
+        if self.frame.size != params.size {
+            self.frame = self.recorder.frame_buffers(params.size)?;
+        }
         self.restart();
         self.timed(PassKind::Camera, |this, encoder| {
-            this.recorder.camera(encoder, &this.scene, &this.frame, params, plan)
+            this.recorder.camera(encoder, &this.scene, &mut this.frame, params, plan)
         })?;
         let passes = self.submit()?;
         let bytes = self.pixels() * size_of::<Sample>() as u64;
@@ -197,8 +206,17 @@ impl Backend for GpuBackend {
         let bytes = self.pixels() * 4;
         let visibility = self.recorder.allocator().read(&self.queue, &self.frame.visibility, bytes)?;
         let (doubt, rays) = self.doubt(job)?;
-        let map_bytes = self.frame.map.as_ref().filter(|_| job.map.is_some()).map_or(0, |m| m.bytes());
-        Ok(Frame { visibility, doubt, rays, passes, map_bytes })
+        let slot = &self.frame.slots[job.slot];
+        let map_bytes = slot.map.as_ref().filter(|_| job.map.is_some()).map_or(0, |m| m.bytes());
+        let mask = match &slot.history {
+            None => Vec::new(),
+            Some(history) => {
+                let words: Vec<u32> =
+                    self.recorder.allocator().read(&self.queue, &history.bits[history.current], bytes)?;
+                words.into_iter().map(MaskBits::from_bits).collect()
+            }
+        };
+        Ok(Frame { visibility, doubt, rays, passes, map_bytes, mask, map_draws: u32::from(job.draws_map) })
     }
 
     fn shade(&mut self, visibility: &[f32], params: &ShadeParams) -> Result<Vec<[u8; 4]>, RenderError> {

@@ -6,7 +6,7 @@ use lt_math::glam::UVec2;
 use lt_shaders::abi::{CameraParams, ShadeParams};
 use wgpu::BufferUsages as Usage;
 
-use super::buffers::{Allocator, FrameBuffers, GpuScene, MapBuffers};
+use super::buffers::{Allocator, FrameBuffers, GpuScene, HistoryBuffers, MapBuffers, SlotBuffers};
 use super::modules::ShaderModule;
 use crate::{EffectPlan, FrameJob, MapSource, PackedScene, PassKind, RenderError};
 
@@ -60,10 +60,15 @@ impl Recorder {
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
         scene: &GpuScene,
-        frame: &FrameBuffers,
+        frame: &mut FrameBuffers,
         p: &CameraParams,
         plan: &EffectPlan,
     ) -> Result<(), RenderError> {
+        frame.past = match (plan.object_motion, frame.past.take()) {
+            (false, _) => None,
+            (true, Some(buffer)) => Some(buffer),
+            (true, None) => Some(self.allocator.past(frame.size)?),
+        };
         let mut name = "camera".to_owned();
         let uniform = self.allocator.filled("camera", &[*p], Usage::UNIFORM)?;
         let mut bindings =
@@ -78,6 +83,10 @@ impl Recorder {
                 name += suffix;
                 bindings.push(buffer);
             }
+        }
+        if let (Some(before), Some(past)) = (&scene.previous_positions, &frame.past) {
+            name += "_motion";
+            bindings.extend([before, past]);
         }
         self.dispatch(encoder, &(name + "_cs"), &bindings, grid(frame.size))
     }
@@ -137,20 +146,35 @@ impl Recorder {
     /// # Errors
     /// [`RenderError::Gpu`] when they exceed the device's limits.
     pub fn prepare(&self, frame: &mut FrameBuffers, job: &FrameJob) -> Result<(), RenderError> {
+        let size = frame.size;
+        if frame.slots.len() <= job.slot {
+            frame.slots.resize_with(job.slot + 1, SlotBuffers::default);
+        }
+        let slot = &mut frame.slots[job.slot];
         let is_prefiltered = job.plan.is_prefiltered();
         match job.map {
-            None => frame.map = None,
+            None => slot.map = None,
             Some(map) => {
                 let fits =
                     |m: &MapBuffers| m.size == map.depth.map_size && m.filtered.is_some() == is_prefiltered;
-                if !frame.map.as_ref().is_some_and(fits) {
-                    frame.map = Some(self.allocator.map(map.depth.map_size, is_prefiltered)?);
+                if !slot.map.as_ref().is_some_and(fits) {
+                    slot.map = Some(self.allocator.map(map.depth.map_size, is_prefiltered)?);
+                }
+            }
+        }
+        match job.plan.mask {
+            None => slot.history = None,
+            Some(effects) => {
+                let fits = |h: &HistoryBuffers| h.depths.is_some() == effects.depth_test;
+                match slot.history.as_mut().filter(|h| fits(h)) {
+                    Some(history) => history.current = 1 - history.current,
+                    None => slot.history = Some(self.allocator.history(size, effects.depth_test)?),
                 }
             }
         }
         match job.plan.doubt_list {
             false => frame.doubt = None,
-            true if frame.doubt.is_none() => frame.doubt = Some(self.allocator.doubt(frame.size)?),
+            true if frame.doubt.is_none() => frame.doubt = Some(self.allocator.doubt(size)?),
             true => {}
         }
         Ok(())
@@ -173,6 +197,7 @@ impl Recorder {
             PassKind::DepthMap => self.depth_map(encoder, scene, frame, job),
             PassKind::FilterX | PassKind::FilterY => self.filter(encoder, frame, kind, job),
             PassKind::Evaluate => self.evaluate(encoder, frame, job),
+            PassKind::Mask => self.mask(encoder, frame, job),
             PassKind::Resolve => self.resolve(encoder, scene, frame, job),
         }
     }
@@ -182,6 +207,10 @@ impl Recorder {
             .error("the frame was not prepared for this job: call Recorder::prepare first".to_owned())
     }
 
+    fn slot<'a>(&self, frame: &'a FrameBuffers, job: &FrameJob) -> Result<&'a SlotBuffers, RenderError> {
+        frame.slots.get(job.slot).ok_or_else(|| self.unprepared())
+    }
+
     fn depth_map(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
@@ -189,7 +218,8 @@ impl Recorder {
         frame: &FrameBuffers,
         job: &FrameJob,
     ) -> Result<(), RenderError> {
-        let (Some(map), Some(map_job)) = (&frame.map, job.map) else { return Err(self.unprepared()) };
+        let slot = self.slot(frame, job)?;
+        let (Some(map), Some(map_job)) = (&slot.map, job.map) else { return Err(self.unprepared()) };
         let uniform = self.allocator.filled("depth map", &[map_job.depth], Usage::UNIFORM)?;
         let mut variants: HashMap<&str, (wgpu::RenderPipeline, wgpu::BindGroup)> = HashMap::new();
         for draw in &scene.draws {
@@ -255,7 +285,8 @@ impl Recorder {
         kind: PassKind,
         job: &FrameJob,
     ) -> Result<(), RenderError> {
-        let (Some(map), Some(map_job), Some((test, _))) = (&frame.map, job.map, job.plan.map) else {
+        let slot = self.slot(frame, job)?;
+        let (Some(map), Some(map_job), Some((test, _))) = (&slot.map, job.map, job.plan.map) else {
             return Err(self.unprepared());
         };
         let Some([rows, vectors]) = &map.filtered else { return Err(self.unprepared()) };
@@ -275,23 +306,73 @@ impl Recorder {
         frame: &FrameBuffers,
         job: &FrameJob,
     ) -> Result<(), RenderError> {
-        let (Some(map), Some((test, source))) = (&frame.map, job.plan.map) else {
+        let slot = self.slot(frame, job)?;
+        let (Some(map), Some((test, source))) = (&slot.map, job.plan.map) else {
             return Err(self.unprepared());
         };
         let uniform = self.allocator.filled("shadow", &[job.shadow], Usage::UNIFORM)?;
-        let ltt = if job.plan.doubt_list { "ltt_" } else { "" };
+        let is_listed = job.plan.doubt_list && job.plan.mask.is_none();
+        let doubt_word = match (is_listed, job.plan.mask) {
+            (true, _) => "ltt_",
+            (false, Some(_)) => "lt_",
+            (false, None) => "",
+        };
         let test = test.id().replace('-', "_");
         let (texels, suffix) = match (source, &map.filtered) {
             (MapSource::Prefiltered, Some([_, vectors])) => (vectors, "_prefiltered"),
             _ => (&map.depths, ""),
         };
         let mut bindings = vec![&uniform, &frame.samples, texels, &frame.visibility];
-        if job.plan.doubt_list {
+        if is_listed {
             let doubt = frame.doubt.as_ref().ok_or_else(|| self.unprepared())?;
             encoder.clear_buffer(&doubt.list, 0, Some(16));
             bindings.push(&doubt.list);
         }
-        self.dispatch(encoder, &format!("evaluate_{ltt}{test}{suffix}_cs"), &bindings, grid(frame.size))
+        let name = format!("evaluate_{doubt_word}{test}{suffix}_cs");
+        self.dispatch(encoder, &name, &bindings, grid(frame.size))
+    }
+
+    fn mask(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameBuffers,
+        job: &FrameJob,
+    ) -> Result<(), RenderError> {
+        let history = self.slot(frame, job)?.history.as_ref();
+        let (Some(history), Some(p), Some(effects), Some(doubt)) =
+            (history, job.mask, job.plan.mask, &frame.doubt)
+        else {
+            return Err(self.unprepared());
+        };
+        let uniform = self.allocator.filled("mask", &[p], Usage::UNIFORM)?;
+        encoder.clear_buffer(&doubt.list, 0, Some(16));
+        let (last, current) = (1 - history.current, history.current);
+        let mut name = "mask".to_owned();
+        let mut bindings = vec![
+            &uniform,
+            &frame.samples,
+            &history.bits[last],
+            &history.bits[current],
+            &frame.visibility,
+            &doubt.list,
+        ];
+        let past = frame.past.as_ref().filter(|_| job.plan.object_motion);
+        name += match (effects.motion, past) {
+            (_, Some(_)) => "_objects",
+            (true, None) => "_motion",
+            (false, None) => "",
+        };
+        if let Some(depths) = &history.depths {
+            name += "_depth";
+            bindings.extend([&depths[last], &depths[current]]);
+        }
+        bindings.extend(past);
+        name += match (effects.expands, effects.removes) {
+            (true, true) => "",
+            (true, false) => "_er",
+            (false, _) => "_rr",
+        };
+        self.dispatch(encoder, &(name + "_cs"), &bindings, grid(frame.size))
     }
 
     fn resolve(
@@ -302,11 +383,18 @@ impl Recorder {
         job: &FrameJob,
     ) -> Result<(), RenderError> {
         let uniform = self.allocator.filled("shadow", &[job.shadow], Usage::UNIFORM)?;
-        let mut name = if job.plan.trace_all { "resolve_all" } else { "resolve_list" }.to_owned();
+        let history = self.slot(frame, job)?.history.as_ref();
+        let mut name = match (job.plan.trace_all, history) {
+            (true, _) => "resolve_all",
+            (false, Some(_)) => "resolve_learn",
+            (false, None) => "resolve_list",
+        }
+        .to_owned();
         let mut bindings = vec![&uniform, &frame.samples, &scene.nodes, &scene.triangles, &frame.visibility];
         let doubt = frame.doubt.as_ref();
         if !job.plan.trace_all {
             bindings.push(&doubt.ok_or_else(|| self.unprepared())?.list);
+            bindings.extend(history.map(|h| &h.bits[h.current]));
         }
         if let (true, Some(instances)) = (job.plan.instances, &scene.instances) {
             name += "_instanced";

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use lt_math::glam::{Affine3A, Mat3, Vec3};
+use lt_math::glam::{Affine3A, Mat3, Vec3, Vec4};
 use lt_scene::{Mesh, Scene};
 use lt_shaders::{abi::Vertex, surface::octahedral_encode};
 
@@ -26,17 +26,21 @@ pub struct Soup {
 
 /// Sorts instances into trees; the baked ones come first. Always at least one group.
 pub fn group(scene: &Scene, bake_all_limit: usize) -> Vec<Group> {
-    let mut uses: BTreeMap<(u32, bool, bool), Vec<usize>> = BTreeMap::new();
+    let mut uses: BTreeMap<(u32, bool, bool, bool), Vec<usize>> = BTreeMap::new();
     for (i, instance) in scene.instances.iter().enumerate() {
-        let key = (instance.mesh, instance.casts_shadow, instance.receives_shadow);
+        let key = (instance.mesh, instance.casts_shadow, instance.receives_shadow, instance.is_dynamic);
         uses.entry(key).or_default().push(i);
     }
     let bake_all = scene.triangle_count() <= bake_all_limit;
-    let (baked, instanced): (Vec<_>, Vec<_>) =
-        uses.into_values().partition(|members| bake_all || members.len() == 1);
+    // What moves is baked: motion vectors then need the last positions of vertices alone, not of instances.
+    let (baked, instanced): (Vec<_>, Vec<_>) = uses
+        .into_iter()
+        .map(|(key, members)| (key.3, members))
+        .partition(|(is_dynamic, members)| bake_all || *is_dynamic || members.len() == 1);
+    let [baked, instanced] = [baked, instanced].map(|uses| uses.into_iter().map(|u| u.1));
     let mut groups: Vec<Group> =
-        instanced.into_iter().map(|members| Group { members, is_instanced: true }).collect();
-    let members: Vec<usize> = baked.into_iter().flatten().collect();
+        instanced.map(|members| Group { members, is_instanced: true }).collect();
+    let members: Vec<usize> = baked.flatten().collect();
     if !members.is_empty() || groups.is_empty() {
         groups.insert(0, Group { members, is_instanced: false });
     }
@@ -57,6 +61,25 @@ pub fn soup(scene: &Scene, group: &Group, materials: &PackedMaterials, first_ver
         soup.has_holes.resize(soup.triangles.len(), has_holes);
     }
     soup
+}
+
+/// Appends the positions that a group's vertices had in another pose, in the order of [`soup`]; false if that pose has not
+/// the same vertices.
+pub fn push_positions(pose: &Scene, group: &Group, positions: &mut Vec<Vec4>, now: &Scene) -> bool {
+    let members = if group.is_instanced { &group.members[..1] } else { &group.members[..] };
+    for &member in members {
+        let vertices_in = |scene: &Scene| {
+            scene.instances.get(member).map(|i| scene.meshes[i.mesh as usize].positions.len())
+        };
+        if vertices_in(pose) != vertices_in(now) {
+            return false;
+        }
+        let instance = &pose.instances[member];
+        let transform = if group.is_instanced { Affine3A::IDENTITY } else { instance.transform };
+        let mesh = &pose.meshes[instance.mesh as usize];
+        positions.extend(mesh.positions.iter().map(|&p| transform.transform_point3(p).extend(1.0)));
+    }
+    true
 }
 
 /// Appends the attributes of a group's vertices, in the order of [`soup`].

@@ -7,7 +7,7 @@ mod meshes;
 mod textures;
 
 use lt_bvh::{BuildQuality, Bvh, Dropped, Instance, InstancedBvh, Node, Placement, Triangle};
-use lt_math::glam::Affine3A;
+use lt_math::glam::{Affine3A, Vec4};
 use lt_scene::{Bounds, Scene};
 use lt_shaders::abi::{Material, Vertex};
 
@@ -71,6 +71,7 @@ pub struct PackedScene {
     draws: Vec<DrawRange>,
     bounds: Bounds,
     stats: PackStats,
+    previous_positions: Vec<Vec4>,
 }
 
 impl PackedScene {
@@ -121,11 +122,34 @@ impl PackedScene {
             draws,
             bounds: scene.bounds(),
             stats,
+            previous_positions: Vec::new(),
         };
         packed.stats.bvh_bytes = (size_of_val(packed.nodes())
             + size_of_val(packed.triangles())
             + size_of_val(packed.instances())) as u64;
         Ok(packed)
+    }
+
+    /// [`PackedScene::new`], with the positions that its vertices had in the pose `before`.
+    ///
+    /// # Errors
+    /// As [`PackedScene::new`], and where the poses have not the same instances with as many vertices each.
+    pub fn after(scene: &Scene, before: &Scene) -> Result<Self, RenderError> {
+        let mut packed = Self::new(scene)?;
+        let mut positions = Vec::with_capacity(packed.vertices.len());
+        for group in meshes::group(scene, BAKE_ALL_LIMIT) {
+            if !meshes::push_positions(before, &group, &mut positions, scene) {
+                return Err(RenderError::Build("two poses of the scene differ in their vertices".to_owned()));
+            }
+        }
+        packed.previous_positions = positions;
+        Ok(packed)
+    }
+
+    /// Positions of the vertices in the last pose, in their tree's space (`w` is 1), indexed as
+    /// [`PackedScene::vertices`]; empty for a scene made by [`PackedScene::new`].
+    pub fn previous_positions(&self) -> &[Vec4] {
+        &self.previous_positions
     }
 
     /// Sizes.

@@ -24,7 +24,7 @@ mod tree;
 
 use std::ops::RangeInclusive;
 
-use crate::{Scene, SceneError};
+use crate::{Camera, CameraPath, Scene, SceneError};
 
 /// What `lt scenes` tells about one procedural place.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -179,6 +179,32 @@ impl Builtin {
             Kind::Cornell => cornell::grow(size, seed),
             Kind::Random => random::grow(size, seed),
             Kind::Hairball => hairball::grow(size, seed),
+        }
+    }
+
+    /// The way a camera takes through the place from `start`, which may be any view of it.
+    pub fn camera_path(&self, start: Camera) -> CameraPath {
+        let still = CameraPath {
+            start,
+            dolly: 0.0,
+            truck: 0.0,
+            rise: 0.0,
+            orbit_rad: 0.0,
+            pan_rad: 0.0,
+            sway: 0.0,
+        };
+        match self.place.kind {
+            // Walking: down the street, across the square, into the clearing.
+            Kind::Street => CameraPath { dolly: 0.25, pan_rad: 0.12, sway: 0.01, ..still },
+            Kind::Square => CameraPath { dolly: 0.2, truck: 0.1, pan_rad: -0.15, sway: 0.01, ..still },
+            Kind::Forest => CameraPath { dolly: 0.15, truck: -0.1, pan_rad: 0.15, sway: 0.02, ..still },
+            // Flying over the roofs.
+            Kind::Town => CameraPath { dolly: 0.3, rise: 0.05, orbit_rad: 0.2, ..still },
+            // Walking along.
+            Kind::Fence => CameraPath { truck: 0.5, sway: 0.02, ..still },
+            // Around what floats or stands in the middle.
+            Kind::Cornell => CameraPath { orbit_rad: 0.3, rise: 0.05, ..still },
+            Kind::Random | Kind::Hairball => CameraPath { orbit_rad: 0.6, dolly: 0.1, ..still },
         }
     }
 }

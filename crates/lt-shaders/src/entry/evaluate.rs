@@ -2,14 +2,12 @@
 
 use lt_math::glam::{UVec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
-use spirv_std::arch::{IndexUnchecked, atomic_i_add, workgroup_memory_barrier_with_group_sync};
-use spirv_std::memory::{Scope, Semantics};
+use spirv_std::arch::IndexUnchecked;
 use spirv_std::spirv;
 
-use super::pixel_index;
+use super::{doubt::list_pixel, pixel_index};
 use crate::{
     abi::{Sample, ShadowParams},
-    doubt::{COUNT, LIST_START},
     evaluate::{FilteredVectors, GatheredDepths, Verdict, evaluate},
 };
 
@@ -33,9 +31,7 @@ macro_rules! map_entry {
 
 macro_rules! ltt_entry {
     ($name:ident, $test:ty, $texel:ty, $source:expr) => {
-        /// Estimate and doubt; doubted pixels join the list, with one atomic on it per workgroup.
-        ///
-        /// The CPU backend collects its list per tile instead of in workgroup memory.
+        /// Estimate and doubt; doubted pixels join the list.
         #[spirv(compute(threads(8, 8)))]
         pub fn $name(
             #[spirv(global_invocation_id)] id: UVec3,
@@ -47,15 +43,11 @@ macro_rules! ltt_entry {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] visibility: &mut [f32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] list: &mut [u32],
         ) {
-            if local == 0 {
-                shared[0] = 0;
-            }
-            workgroup_memory_barrier_with_group_sync();
             let mut is_doubted = false;
             let mut index = 0;
             if let Some(i) = pixel_index(id, p.size) {
                 // SAFETY: the host sizes `samples` and `visibility` to the picture, and i lies in it. A checked index
-                // may leave the function before the barriers below, which WebGPU's uniformity analysis forbids.
+                // may leave the function before the list's barriers, which WebGPU's uniformity analysis forbids.
                 let sample = unsafe { samples.index_unchecked(i) };
                 let verdict: Verdict = evaluate::<$test, _, true>(sample, p, $source(map));
                 // SAFETY: as above.
@@ -63,30 +55,24 @@ macro_rules! ltt_entry {
                 is_doubted = verdict.is_doubted;
                 index = i as u32;
             }
-            let mut slot = 0;
-            if is_doubted {
-                // SAFETY: an atomic on workgroup memory that every invocation of the group shares.
-                slot = unsafe {
-                    atomic_i_add::<u32, { Scope::Workgroup as u32 }, { Semantics::NONE.bits() }>(
-                        &mut shared[0],
-                        1,
-                    )
-                };
-            }
-            workgroup_memory_barrier_with_group_sync();
-            if local == 0 {
-                // SAFETY: an atomic on the list's counter, word COUNT, which the host always allocates.
-                shared[1] = unsafe {
-                    atomic_i_add::<u32, { Scope::Device as u32 }, { Semantics::NONE.bits() }>(
-                        list.index_unchecked_mut(COUNT),
-                        shared[0],
-                    )
-                };
-            }
-            workgroup_memory_barrier_with_group_sync();
-            if is_doubted {
-                // SAFETY: the list holds LIST_START words and one for every pixel.
-                unsafe { *list.index_unchecked_mut((LIST_START + shared[1] + slot) as usize) = index };
+            list_pixel(is_doubted, index, local, shared, list);
+        }
+    };
+}
+
+macro_rules! judged_entry {
+    ($name:ident, $test:ty, $texel:ty, $source:expr) => {
+        /// Estimate and doubt in one number, for the mask pass.
+        #[spirv(compute(threads(8, 8)))]
+        pub fn $name(
+            #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &ShadowParams,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] samples: &[Sample],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] map: &[$texel],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] visibility: &mut [f32],
+        ) {
+            if let Some(i) = pixel_index(id, p.size) {
+                visibility[i] = evaluate::<$test, _, true>(&samples[i], p, $source(map)).visibility;
             }
         }
     };
@@ -101,12 +87,15 @@ fn filtered(vectors: &[Vec4]) -> FilteredVectors<'_> {
 }
 
 macro_rules! filterable {
-    ($($test:ty: $gather:ident $filtered:ident $ltt_gather:ident $ltt_filtered:ident;)*) => {
+    ($($test:ty: $gather:ident $filtered:ident $ltt_gather:ident $ltt_filtered:ident
+        $lt_gather:ident $lt_filtered:ident;)*) => {
         $(
             map_entry!($gather, $test, f32, gathered);
             map_entry!($filtered, $test, Vec4, filtered);
             ltt_entry!($ltt_gather, $test, f32, gathered);
             ltt_entry!($ltt_filtered, $test, Vec4, filtered);
+            judged_entry!($lt_gather, $test, f32, gathered);
+            judged_entry!($lt_filtered, $test, Vec4, filtered);
         )*
     };
 }
@@ -114,10 +103,15 @@ macro_rules! filterable {
 map_entry!(evaluate_sm_cs, Sm, f32, gathered);
 map_entry!(evaluate_pcf_cs, Pcf, f32, gathered);
 filterable! {
-    Vsm: evaluate_vsm_cs evaluate_vsm_prefiltered_cs evaluate_ltt_vsm_cs evaluate_ltt_vsm_prefiltered_cs;
-    Esm: evaluate_esm_cs evaluate_esm_prefiltered_cs evaluate_ltt_esm_cs evaluate_ltt_esm_prefiltered_cs;
-    Evsm: evaluate_evsm_cs evaluate_evsm_prefiltered_cs evaluate_ltt_evsm_cs evaluate_ltt_evsm_prefiltered_cs;
-    MsmHamburger: evaluate_msm_cs evaluate_msm_prefiltered_cs evaluate_ltt_msm_cs evaluate_ltt_msm_prefiltered_cs;
+    Vsm: evaluate_vsm_cs evaluate_vsm_prefiltered_cs evaluate_ltt_vsm_cs evaluate_ltt_vsm_prefiltered_cs
+        evaluate_lt_vsm_cs evaluate_lt_vsm_prefiltered_cs;
+    Esm: evaluate_esm_cs evaluate_esm_prefiltered_cs evaluate_ltt_esm_cs evaluate_ltt_esm_prefiltered_cs
+        evaluate_lt_esm_cs evaluate_lt_esm_prefiltered_cs;
+    Evsm: evaluate_evsm_cs evaluate_evsm_prefiltered_cs evaluate_ltt_evsm_cs evaluate_ltt_evsm_prefiltered_cs
+        evaluate_lt_evsm_cs evaluate_lt_evsm_prefiltered_cs;
+    MsmHamburger: evaluate_msm_cs evaluate_msm_prefiltered_cs evaluate_ltt_msm_cs evaluate_ltt_msm_prefiltered_cs
+        evaluate_lt_msm_cs evaluate_lt_msm_prefiltered_cs;
     MsmHausdorff: evaluate_msm_hausdorff_cs evaluate_msm_hausdorff_prefiltered_cs
-        evaluate_ltt_msm_hausdorff_cs evaluate_ltt_msm_hausdorff_prefiltered_cs;
+        evaluate_ltt_msm_hausdorff_cs evaluate_ltt_msm_hausdorff_prefiltered_cs
+        evaluate_lt_msm_hausdorff_cs evaluate_lt_msm_hausdorff_prefiltered_cs;
 }

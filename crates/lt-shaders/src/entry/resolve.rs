@@ -1,6 +1,8 @@
-//! Resolve pass: every light-facing pixel, or the doubted ones of a list; instances × alpha test.
+//! Resolve pass: every light-facing pixel, the doubted ones of a list, or those and a memory of them; instances × alpha
+//! test.
 
 use lt_bvh::{Instance, Node, Opaque, Triangle};
+use lt_mask::MaskBits;
 use lt_math::glam::UVec3;
 use spirv_std::spirv;
 
@@ -10,6 +12,7 @@ use crate::{
     doubt::{COUNT, LIST_START, slot_of},
     evaluate::settle,
     geometry::{FlatGeometry, InstancedGeometry},
+    mask::bits_after_ray,
     resolve::trace_visibility,
     surface::Coverage,
 };
@@ -39,8 +42,9 @@ macro_rules! any_hit {
 }
 
 macro_rules! resolve_entries {
-    ($all:ident, $list:ident; instances: [$($i0:literal, $i1:literal)?],
-     alpha: [$($v0:literal $m0:literal $a0:literal, $v1:literal $m1:literal $a1:literal)?]) => {
+    ($all:ident, $list:ident, $learn:ident; instances: [$($i0:literal, $i1:literal, $i2:literal)?],
+     alpha: [$($v0:literal $m0:literal $a0:literal, $v1:literal $m1:literal $a1:literal,
+        $v2:literal $m2:literal $a2:literal)?]) => {
         /// Traces every light-facing pixel.
         #[spirv(compute(threads(8, 8)))]
         pub fn $all(
@@ -91,11 +95,39 @@ macro_rules! resolve_entries {
                 visibility[i] = trace_visibility(&samples[i], p.light, geometry, any_hit);
             }
         }
+
+        /// Traces the listed pixels and remembers what the rays found.
+        #[spirv(compute(threads(64)))]
+        pub fn $learn(
+            #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &ShadowParams,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] samples: &[Sample],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &[Node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[Triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] visibility: &mut [f32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] list: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] bits: &mut [u32],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $i2)] instances: &[Instance],)?
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $v2)] vertices: &[Vertex],
+              #[spirv(storage_buffer, descriptor_set = 0, binding = $m2)] materials: &[Material],
+              #[spirv(storage_buffer, descriptor_set = 0, binding = $a2)] alpha_texels: &[u32],)?
+        ) {
+            let slot = slot_of(id);
+            if slot < list[COUNT] {
+                let i = list[(slot + LIST_START) as usize] as usize;
+                let geometry = geometry!(p, nodes, triangles $(, instances $i2)?);
+                let any_hit = any_hit!(triangles $(, vertices $v2, materials $m2, alpha_texels $a2)?);
+                visibility[i] = trace_visibility(&samples[i], p.light, geometry, any_hit);
+                bits[i] = bits_after_ray(MaskBits::from_bits(bits[i]), visibility[i]).to_bits();
+            }
+        }
     };
 }
 
-resolve_entries!(resolve_all_cs, resolve_list_cs; instances: [], alpha: []);
-resolve_entries!(resolve_all_alpha_cs, resolve_list_alpha_cs; instances: [], alpha: [5 6 7, 6 7 8]);
-resolve_entries!(resolve_all_instanced_cs, resolve_list_instanced_cs; instances: [5, 6], alpha: []);
-resolve_entries!(resolve_all_instanced_alpha_cs, resolve_list_instanced_alpha_cs;
-    instances: [5, 6], alpha: [6 7 8, 7 8 9]);
+resolve_entries!(resolve_all_cs, resolve_list_cs, resolve_learn_cs; instances: [], alpha: []);
+resolve_entries!(resolve_all_alpha_cs, resolve_list_alpha_cs, resolve_learn_alpha_cs;
+    instances: [], alpha: [5 6 7, 6 7 8, 7 8 9]);
+resolve_entries!(resolve_all_instanced_cs, resolve_list_instanced_cs, resolve_learn_instanced_cs;
+    instances: [5, 6, 7], alpha: []);
+resolve_entries!(resolve_all_instanced_alpha_cs, resolve_list_instanced_alpha_cs, resolve_learn_instanced_alpha_cs;
+    instances: [5, 6, 7], alpha: [6 7 8, 7 8 9, 8 9 10]);

@@ -1,0 +1,216 @@
+//! Several frames of `lt compare`: a camera path or a still view, and what techniques did along it.
+
+use std::sync::atomic::AtomicBool;
+
+use lt_render::{Comparison, FrameStats, PlayOptions, RenderError, Row, Sequence, compare_frames, quantile};
+use serde::Serialize;
+
+use crate::{
+    args::CompareArgs,
+    numbers::{decimals, grouped, ms, ppm},
+    progress::Steps,
+    scene_args::Opened,
+    table::{self, Align},
+};
+
+/// Frames per second of node animations.
+const FRAME_RATE: f32 = 60.0;
+/// Median motion per frame unless told otherwise, pixels of a picture [`MOTION_WIDTH`] wide.
+const DEFAULT_MOTION_PX: f32 = 2.0;
+/// The picture width that `--motion` speaks of, so that a path is the same at every size.
+const MOTION_WIDTH: f32 = 1920.0;
+/// Masks pictured along a path.
+const PICTURED_MASKS: usize = 8;
+
+/// What was played.
+#[derive(Clone, Debug, Serialize)]
+pub struct Playback {
+    /// How many frames.
+    pub frames: usize,
+    /// Nothing moved.
+    pub is_still: bool,
+    /// Median motion of the first step, pixels of this picture; 0 if still.
+    pub motion_px: f64,
+    /// Things in the scene moved.
+    pub objects_move: bool,
+    /// Frames whose masks are kept for pictures.
+    pub mask_frames: Vec<usize>,
+}
+
+impl Playback {
+    /// One line about it.
+    pub fn headline(&self) -> String {
+        let what = match (self.is_still, self.objects_move) {
+            (true, _) => "nothing moves; errors are the last frame's".to_owned(),
+            (false, false) => format!("the camera moves by {:.2} px a frame in the median", self.motion_px),
+            (false, true) => {
+                format!("the camera moves by {:.2} px a frame in the median, and things move", self.motion_px)
+            }
+        };
+        format!("{} frames · {what}", self.frames)
+    }
+}
+
+/// Median, 95th percentile and largest of something over the frames.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Spread {
+    /// Half the frames have at most this.
+    pub median: f64,
+    /// 19 of 20 frames have at most this.
+    pub p95: f64,
+    /// The worst frame.
+    pub max: f64,
+}
+
+/// The spread of these values; zeros for none.
+pub fn spread(values: impl Iterator<Item = f64>) -> Spread {
+    let values: Vec<f64> = values.collect();
+    Spread {
+        median: quantile(values.clone(), 0.5),
+        p95: quantile(values.clone(), 0.95),
+        max: quantile(values, 1.0),
+    }
+}
+
+/// Plays the frames.
+///
+/// # Errors
+/// A pose that cannot be read or drawn, or a failing device.
+pub fn run(
+    args: &CompareArgs,
+    opened: &mut Opened,
+    frames: usize,
+) -> anyhow::Result<(Comparison, Playback)> {
+    let width = opened.session.setup().size.x as f32;
+    let path = opened.source.camera_path(opened.session.setup().camera.clone());
+    let wanted_px = f64::from(args.motion.unwrap_or(DEFAULT_MOTION_PX) * width / MOTION_WIDTH);
+    let way = match args.still {
+        true => 0.0,
+        false => lt_render::way_per_frame(&opened.session, &path, wanted_px),
+    };
+    let playback = Playback {
+        frames,
+        is_still: args.still,
+        motion_px: lt_render::median_motion_px(&opened.session, &path.at(way)),
+        objects_move: !args.still && opened.scene.instances.iter().any(|i| i.is_dynamic),
+        mask_frames: pictured(frames),
+    };
+    opened.session.play(Sequence {
+        is_played: true,
+        camera_moves: !args.still,
+        objects_move: playback.objects_move,
+    });
+    let options = PlayOptions {
+        frames,
+        is_still: args.still,
+        with_flip: !args.no_flip,
+        mask_frames: playback.mask_frames.clone(),
+    };
+    let mut steps = Steps::new();
+    let mut before = opened.scene.clone();
+    let mut failure = None;
+    let comparison = compare_frames(
+        &mut opened.session,
+        &args.techniques(),
+        &options,
+        |session, frame| {
+            let camera = path.at(way * frame as f32);
+            match (args.still, playback.objects_move) {
+                (true, _) => Ok(()),
+                (false, false) => session.look(&camera),
+                (false, true) => {
+                    let time_s = args.scene.time + frame as f32 / FRAME_RATE;
+                    let now = args.scene.pose(&opened.source, time_s).map_err(|error| {
+                        let problem = error.to_string();
+                        failure = Some(error);
+                        RenderError::Build(problem)
+                    })?;
+                    session.advance(&camera, &now, &before)?;
+                    before = now;
+                    Ok(())
+                }
+            }
+        },
+        &AtomicBool::new(false),
+        |done, total, what| steps.at(done, total, what),
+    );
+    steps.clear();
+    match failure {
+        Some(error) => Err(error),
+        None => Ok((comparison?, playback)),
+    }
+}
+
+/// Frames spread over all, first and last among them.
+fn pictured(frames: usize) -> Vec<usize> {
+    let count = frames.min(PICTURED_MASKS);
+    let mut all: Vec<usize> = (0..count).map(|i| i * (frames - 1) / (count - 1).max(1)).collect();
+    all.dedup();
+    all
+}
+
+/// A table of what every technique did along the path.
+pub fn text_table(comparison: &Comparison, flips: &[u64]) -> String {
+    let columns = [
+        ("technique", Align::Left),
+        ("false-lit ppm\nmedian", Align::Right),
+        ("\np95", Align::Right),
+        ("\nmax", Align::Right),
+        ("false-shadowed ppm\nmedian", Align::Right),
+        ("\np95", Align::Right),
+        ("\nmax", Align::Right),
+        ("rays /pixel\nmedian", Align::Right),
+        ("\nmax", Align::Right),
+        ("map\ndraws", Align::Right),
+        ("flips\nstill", Align::Right),
+        ("total ms\nmedian", Align::Right),
+        ("\nmax", Align::Right),
+    ];
+    let rows: Vec<_> = comparison.rows.iter().zip(flips).map(|(row, &flips)| text_row(row, flips)).collect();
+    table::render(&columns, &rows)
+}
+
+fn text_row(row: &Row, flips: u64) -> Vec<String> {
+    let frames = &row.frames;
+    let lit = spread(frames.iter().map(|f| f.errors.false_lit_ppm()));
+    let shadowed = spread(frames.iter().map(|f| f.errors.false_shadowed_ppm()));
+    let rays = spread(frames.iter().map(FrameStats::rays_per_pixel));
+    let times: Option<Vec<f64>> = frames.iter().map(|f| f.ms(|_| true)).collect();
+    let times = times.map(|t| spread(t.into_iter()));
+    vec![
+        row.technique.to_string(),
+        ppm(lit.median),
+        ppm(lit.p95),
+        ppm(lit.max),
+        ppm(shadowed.median),
+        ppm(shadowed.p95),
+        ppm(shadowed.max),
+        decimals(Some(rays.median), 3),
+        decimals(Some(rays.max), 3),
+        grouped(frames.iter().map(|f| u64::from(f.map_draws)).sum()),
+        grouped(flips),
+        ms(times.map(|t| t.median)),
+        ms(times.map(|t| t.max)),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictured_frames_are_spread_and_within() {
+        assert_eq!(pictured(2), [0, 1]);
+        assert_eq!(pictured(8), [0, 1, 2, 3, 4, 5, 6, 7]);
+        let many = pictured(64);
+        assert_eq!((many.len(), many[0], many[7]), (8, 0, 63));
+        assert!(many.windows(2).all(|w| w[0] < w[1]));
+    }
+
+    #[test]
+    fn a_spread_names_the_worst() {
+        let s = spread([3.0, 1.0, 2.0].into_iter());
+        assert_eq!((s.median, s.max), (2.0, 3.0));
+        assert_eq!(spread(std::iter::empty()).max, 0.0);
+    }
+}

@@ -1,0 +1,336 @@
+//! The mask pass: last frame's rays correct this frame's doubts (Kern et al. 2024, §3.1).
+//!
+//! It comes after any estimate with any doubt and reads of them one number per pixel, [`Verdict::visibility`]. Four
+//! effects are chosen when a variant is made: `MOTION` (the camera or something seen moves), `DEPTH` (the temporal depth
+//! test), `EXPANDS` (ER) and `REMOVES` (RR). One that is off costs neither a branch nor a read.
+
+use lt_mask::{
+    Evidence, MaskBits, Neighbourhood, Pattern, Reprojection, allows_removal, decide_doubt, is_depth_consistent,
+    is_test_shadowed, reproject,
+};
+use lt_math::glam::{UVec2, Vec2, Vec3};
+
+use crate::{
+    abi::{CameraParams, MaskParams, Sample},
+    evaluate::{Verdict, settle},
+};
+
+/// What the last frame left behind.
+pub trait HistorySource: Copy {
+    /// The three bits of a pixel on the screen.
+    fn bits(&self, pixel: UVec2) -> MaskBits;
+    /// The depth along the view axis that was seen there; read under the temporal depth test only.
+    fn depth(&self, pixel: UVec2) -> f32;
+}
+
+/// Bits alone, one word per pixel, row by row.
+#[derive(Clone, Copy)]
+pub struct BitsHistory<'a> {
+    /// `width · height` words.
+    pub bits: &'a [u32],
+    /// Pixels in a row.
+    pub width: u32,
+}
+
+impl HistorySource for BitsHistory<'_> {
+    #[inline]
+    fn bits(&self, pixel: UVec2) -> MaskBits {
+        MaskBits::from_bits(self.bits[(pixel.y * self.width + pixel.x) as usize])
+    }
+    #[inline]
+    fn depth(&self, _pixel: UVec2) -> f32 {
+        0.0
+    }
+}
+
+/// Bits and depths, row by row.
+#[derive(Clone, Copy)]
+pub struct DepthHistory<'a> {
+    /// `width · height` words.
+    pub bits: &'a [u32],
+    /// `width · height` depths.
+    pub depths: &'a [f32],
+    /// Pixels in a row.
+    pub width: u32,
+}
+
+impl HistorySource for DepthHistory<'_> {
+    #[inline]
+    fn bits(&self, pixel: UVec2) -> MaskBits {
+        MaskBits::from_bits(self.bits[(pixel.y * self.width + pixel.x) as usize])
+    }
+    #[inline]
+    fn depth(&self, pixel: UVec2) -> f32 {
+        self.depths[(pixel.y * self.width + pixel.x) as usize]
+    }
+}
+
+/// One pixel after the mask.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Masked {
+    /// 0 or 1; what the resolve pass overwrites where a ray is needed.
+    pub visibility: f32,
+    /// Trace a ray.
+    pub needs_ray: bool,
+    /// What to remember, if a ray that is traced finds the light: see [`bits_after_ray`].
+    pub bits: MaskBits,
+}
+
+/// What to remember after a ray that found this visibility; `before` is [`Masked::bits`].
+#[inline]
+pub fn bits_after_ray(before: MaskBits, visibility: f32) -> MaskBits {
+    MaskBits::traced(before.is_test_shadowed(), is_test_shadowed(visibility))
+}
+
+/// Depth of a world point along a camera's view axis.
+#[inline]
+pub fn view_depth(position: Vec3, camera: &CameraParams) -> f32 {
+    (position - camera.eye).dot(camera.forward)
+}
+
+/// What the next frame's depth test compares with: the depth of what is seen, 0 where nothing is.
+#[inline]
+pub fn seen_depth(sample: &Sample, camera: &CameraParams) -> f32 {
+    if sample.is_valid() { view_depth(sample.position, camera) } else { 0.0 }
+}
+
+/// Where a world point in front of a camera appears, in pixels from the top left corner of the picture.
+///
+/// A point behind the camera or beside its eye gives infinity, NaN or a place that mirrors it: ask [`view_depth`] first.
+#[inline]
+pub fn place_px(position: Vec3, camera: &CameraParams) -> Vec2 {
+    let to = position - camera.eye;
+    let depth = to.dot(camera.forward);
+    let x = to.dot(camera.right) / (camera.right.length_squared() * depth);
+    let y = to.dot(camera.up) / (camera.up.length_squared() * depth);
+    Vec2::new((x * 0.5 + 0.5) * camera.size.x as f32, (0.5 - y * 0.5) * camera.size.y as f32)
+}
+
+/// The way, in pixels, from where a surface is in this frame to where it was in the last.
+///
+/// Exactly 0 where neither surface nor camera moved: both places come from the same arithmetic.
+#[inline]
+pub fn motion_px(
+    position: Vec3,
+    previous_position: Vec3,
+    current: &CameraParams,
+    previous: &CameraParams,
+) -> Vec2 {
+    place_px(previous_position, previous) - place_px(position, current)
+}
+
+/// Finds a pixel in the last frame.
+#[inline]
+fn find<H: HistorySource, const MOTION: bool, const DEPTH: bool>(
+    px: UVec2,
+    sample: &Sample,
+    previous_position: Vec3,
+    p: &MaskParams,
+    history: H,
+) -> Reprojection {
+    let mut place = Reprojection { pixel: px, is_valid: true, has_moved: false };
+    if MOTION {
+        let motion = motion_px(sample.position, previous_position, &p.current, &p.previous);
+        place = reproject(px, motion, p.current.size);
+        // Behind the last camera a projection is mirrored, and may fall on the screen.
+        place.is_valid = place.is_valid && view_depth(previous_position, &p.previous) > 0.0;
+    }
+    if DEPTH && place.is_valid {
+        let expected = view_depth(previous_position, &p.previous);
+        place.is_valid = is_depth_consistent(expected, history.depth(place.pixel), p.depth_tolerance);
+    }
+    place.is_valid = place.is_valid && p.flags & MaskParams::HAS_HISTORY != 0;
+    place
+}
+
+/// Decides one pixel: estimate and doubt in, ray or no ray out.
+///
+/// `estimate` is [`Verdict::visibility`] under a doubt test. `previous_position` is where the visible point was in the last
+/// frame, world space; read under `MOTION` and `DEPTH` only.
+pub fn mask<
+    H: HistorySource,
+    const MOTION: bool,
+    const DEPTH: bool,
+    const EXPANDS: bool,
+    const REMOVES: bool,
+>(
+    px: UVec2,
+    sample: &Sample,
+    previous_position: Vec3,
+    estimate: f32,
+    p: &MaskParams,
+    history: H,
+) -> Masked {
+    let (verdict, is_settled) = settle(sample, p.light);
+    if is_settled {
+        return Masked { visibility: verdict.visibility, needs_ray: false, bits: MaskBits::FACING_AWAY };
+    }
+    let st = is_test_shadowed(estimate);
+    let is_doubted = estimate > 0.0 && estimate < 1.0;
+    let place = find::<H, MOTION, DEPTH>(px, sample, previous_position, p, history);
+    let may_remove = p.flags & MaskParams::MAY_REMOVE != 0;
+    let guarded_motion = place.has_moved && p.flags & MaskParams::MAY_REMOVE_MOVING == 0;
+    let removal = REMOVES && allows_removal(may_remove, false, true, guarded_motion);
+    let mut neighbourhood = Neighbourhood::EMPTY;
+    // Only what may change the decision is read: neighbours of a trusted pixel for ER, of a doubted one for RR.
+    let asks = if is_doubted { removal } else { EXPANDS };
+    if asks && place.is_valid {
+        let pattern = Pattern::from_index(if place.has_moved { p.moving_pattern } else { p.still_pattern });
+        let mut i = 0;
+        while i < pattern.neighbour_count() {
+            let at = pattern.neighbour(i, place.pixel, p.frame, p.current.size);
+            neighbourhood = neighbourhood.with(history.bits(at), st);
+            i += 1;
+        }
+    }
+    let decision = decide_doubt(
+        st,
+        is_doubted,
+        Evidence {
+            is_on_map: estimate != Verdict::UNJUDGED,
+            is_reprojected: place.is_valid,
+            neighbourhood,
+            allows_removal: removal,
+        },
+    );
+    let bits = if decision.needs_ray { decision.mask_with_ray(false) } else { decision.mask_without_ray() };
+    Masked { visibility: decision.snapped_visibility(), needs_ray: decision.needs_ray, bits }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lt_math::glam::Vec4;
+
+    const SIZE: UVec2 = UVec2::new(4, 3);
+
+    fn camera(eye: Vec3) -> CameraParams {
+        CameraParams {
+            eye,
+            root: 0,
+            right: Vec3::X * 4.0 / 3.0,
+            pad0: 0,
+            up: Vec3::Y,
+            pad1: 0,
+            forward: Vec3::NEG_Z,
+            pad2: 0,
+            size: SIZE,
+            pad3: UVec2::ZERO,
+        }
+    }
+
+    fn params(previous_eye: Vec3) -> MaskParams {
+        MaskParams {
+            current: camera(Vec3::ZERO),
+            previous: camera(previous_eye),
+            light: Vec4::new(0.0, 0.0, 1.0, 0.0),
+            frame: 0,
+            still_pattern: Pattern::FULL_3X3.to_index(),
+            moving_pattern: Pattern::FULL_3X3.to_index(),
+            flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE,
+            depth_tolerance: 0.1,
+            pad0: 0,
+            pad1: 0,
+            pad2: 0,
+        }
+    }
+
+    /// A wall at distance 3 whose point appears at the centre of `px`.
+    fn wall(px: UVec2) -> Sample {
+        let x = (px.x as f32 + 0.5) / 4.0 * 2.0 - 1.0;
+        let y = 1.0 - (px.y as f32 + 0.5) / 3.0 * 2.0;
+        Sample {
+            position: Vec3::new(x * 4.0 / 3.0, y, -1.0) * 3.0,
+            normal: Vec3::Z,
+            flags: Sample::RECEIVES,
+            ..Sample::default()
+        }
+    }
+
+    fn decide<const M: bool, const D: bool>(
+        px: UVec2,
+        estimate: f32,
+        p: &MaskParams,
+        bits: &[u32],
+        depths: &[f32],
+    ) -> Masked {
+        let history = DepthHistory { bits, depths, width: SIZE.x };
+        let sample = wall(px);
+        mask::<_, M, D, true, true>(px, &sample, sample.position, estimate, p, history)
+    }
+
+    const AT: UVec2 = UVec2::new(1, 1);
+
+    #[test]
+    fn without_history_every_pixel_is_traced() {
+        let p = MaskParams { flags: 0, ..params(Vec3::ZERO) };
+        for estimate in [0.0, 0.3, Verdict::UNJUDGED, 1.0] {
+            assert!(decide::<false, false>(AT, estimate, &p, &[0; 12], &[3.0; 12]).needs_ray);
+        }
+    }
+
+    #[test]
+    fn a_purple_neighbour_expands_and_a_quiet_one_does_not() {
+        let p = params(Vec3::ZERO);
+        let mut bits = [0; 12];
+        assert!(!decide::<false, false>(AT, 1.0, &p, &bits, &[]).needs_ray);
+        bits[0] = MaskBits::PURPLE.to_bits();
+        let masked = decide::<false, false>(AT, 1.0, &p, &bits, &[]);
+        assert!(masked.needs_ray && masked.visibility == 1.0);
+        assert_eq!(bits_after_ray(masked.bits, 0.0), MaskBits::PURPLE);
+        assert_eq!(bits_after_ray(masked.bits, 1.0), MaskBits::RED);
+    }
+
+    #[test]
+    fn rays_are_removed_only_where_nothing_moved() {
+        let still = params(Vec3::ZERO);
+        let bits = [MaskBits::RED.to_bits(); 12];
+        let removed = decide::<true, false>(AT, 0.7, &still, &bits, &[]);
+        assert_eq!((removed.needs_ray, removed.visibility, removed.bits), (false, 1.0, MaskBits::BLACK));
+        let moving = params(Vec3::new(1e-4, 0.0, 0.0));
+        assert!(decide::<true, false>(AT, 0.7, &moving, &bits, &[]).needs_ray);
+        let published = MaskParams { flags: moving.flags | MaskParams::MAY_REMOVE_MOVING, ..moving };
+        assert!(!decide::<true, false>(AT, 0.7, &published, &bits, &[]).needs_ray);
+    }
+
+    #[test]
+    fn what_no_map_judged_is_traced_whatever_the_history() {
+        let bits = [MaskBits::RED.to_bits(); 12];
+        assert!(
+            decide::<false, false>(AT, Verdict::UNJUDGED, &params(Vec3::ZERO), &bits, &[]).needs_ray
+        );
+    }
+
+    #[test]
+    fn motion_finds_the_pixel_where_it_was() {
+        // The last camera stood one pixel's width (at distance 3) to the left: the wall was one pixel further right.
+        let p = params(Vec3::new(-2.0, 0.0, 0.0));
+        let sample = wall(AT);
+        let motion = motion_px(sample.position, sample.position, &p.current, &p.previous);
+        assert!((motion - Vec2::new(1.0, 0.0)).length() < 1e-5, "{motion}");
+        assert_eq!(motion_px(sample.position, sample.position, &p.current, &p.current), Vec2::ZERO);
+        assert!(decide::<true, false>(UVec2::new(3, 1), 1.0, &p, &[0; 12], &[]).needs_ray, "came in from outside");
+        assert!(!decide::<true, false>(AT, 1.0, &p, &[0; 12], &[]).needs_ray);
+    }
+
+    #[test]
+    fn what_was_behind_the_last_camera_was_not_seen() {
+        let p = params(Vec3::new(0.0, 0.0, -4.0));
+        assert!(decide::<true, false>(AT, 1.0, &p, &[0; 12], &[]).needs_ray);
+    }
+
+    #[test]
+    fn another_depth_was_another_surface() {
+        let p = params(Vec3::ZERO);
+        assert!(!decide::<false, true>(AT, 1.0, &p, &[0; 12], &[3.1; 12]).needs_ray);
+        assert!(decide::<false, true>(AT, 1.0, &p, &[0; 12], &[2.0; 12]).needs_ray);
+        assert!(decide::<false, true>(AT, 1.0, &p, &[0; 12], &[0.0; 12]).needs_ray, "sky was there");
+    }
+
+    #[test]
+    fn surfaces_that_face_away_need_nothing() {
+        let p = MaskParams { light: Vec4::new(0.0, 0.0, -1.0, 0.0), ..params(Vec3::ZERO) };
+        let masked = decide::<false, false>(AT, 0.3, &p, &[7; 12], &[]);
+        assert_eq!((masked.needs_ray, masked.visibility, masked.bits), (false, 0.0, MaskBits::BLACK));
+    }
+}

@@ -1,0 +1,3130 @@
+struct abi_CameraParams {
+    eye: vec3<f32>,
+    root: u32,
+    right: vec3<f32>,
+    pad0_: u32,
+    up: vec3<f32>,
+    pad1_: u32,
+    forward: vec3<f32>,
+    pad2_: u32,
+    size: vec2<u32>,
+    pad3_: vec2<u32>,
+}
+
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
+struct type_26 {
+    member: array<vec4<f32>>,
+}
+
+struct texture_TextureView {
+    offset: u32,
+    size: u32,
+    flags: u32,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_32 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_36 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    pad: vec2<u32>,
+}
+
+struct type_40 {
+    member: array<abi_Material>,
+}
+
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
+}
+
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
+}
+
+struct lt_bvh_Instance {
+    world_to_object: array<vec4<f32>, 3>,
+    object_to_world: array<vec4<f32>, 3>,
+    low_world: vec3<f32>,
+    root: u32,
+    high_world: vec3<f32>,
+    first_triangle: u32,
+    source: u32,
+    padding: array<u32, 3>,
+}
+
+struct type_51 {
+    member: array<lt_bvh_Instance>,
+}
+
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct type_57 {
+    member: abi_CameraParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_62 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Ray {
+    origin: vec3<f32>,
+    tmin: f32,
+    direction: vec3<f32>,
+    tmax: f32,
+}
+
+struct lt_bvh_Hit {
+    t: f32,
+    u: f32,
+    v: f32,
+    triangle: u32,
+    instance: u32,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_36;
+@group(0) @binding(4) 
+var<storage> materials: type_40;
+@group(0) @binding(0) 
+var<uniform> p: type_57;
+@group(0) @binding(1) 
+var<storage> nodes: type_62;
+@group(0) @binding(2) 
+var<storage> triangles: type_32;
+@group(0) @binding(5) 
+var<storage, read_write> samples: type_9;
+@group(0) @binding(6) 
+var<storage> instances: type_51;
+@group(0) @binding(7) 
+var<storage> alpha_texels: type_13;
+@group(0) @binding(8) 
+var<storage> before: type_26;
+@group(0) @binding(9) 
+var<storage, read_write> past: type_26;
+
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_229_: lt_bvh_traverse_Tree;
+    var phi_230_: bool;
+    var phi_231_: lt_bvh_traverse_Tree;
+    var phi_232_: bool;
+    var phi_237_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_229_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_230_ = false;
+        } else {
+            phi_229_ = lt_bvh_traverse_Tree();
+            phi_230_ = true;
+        }
+        let _e84 = phi_229_;
+        let _e86 = phi_230_;
+        phi_231_ = _e84;
+        phi_232_ = _e86;
+    } else {
+        phi_231_ = lt_bvh_traverse_Tree();
+        phi_232_ = true;
+    }
+    let _e88 = phi_231_;
+    let _e90 = phi_232_;
+    if _e90 {
+        phi_237_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_237_ = _e88;
+    }
+    let _e95 = phi_237_;
+    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_282_: f32;
+    var phi_287_: f32;
+    var phi_288_: bool;
+    var phi_289_: f32;
+    var phi_290_: bool;
+    var phi_294_: f32;
+    var phi_320_: f32;
+    var phi_325_: f32;
+    var phi_326_: bool;
+    var phi_327_: f32;
+    var phi_328_: bool;
+    var phi_332_: f32;
+    var phi_340_: f32;
+    var phi_341_: f32;
+    var phi_342_: f32;
+    var phi_351_: f32;
+    var phi_352_: f32;
+    var phi_370_: u32;
+    var phi_384_: u32;
+    var phi_391_: u32;
+    var phi_396_: u32;
+    var phi_402_: u32;
+    var phi_407_: u32;
+    var phi_409_: texture_Axis;
+    var phi_437_: f32;
+    var phi_442_: f32;
+    var phi_443_: bool;
+    var phi_444_: f32;
+    var phi_445_: bool;
+    var phi_449_: f32;
+    var phi_475_: f32;
+    var phi_480_: f32;
+    var phi_481_: bool;
+    var phi_482_: f32;
+    var phi_483_: bool;
+    var phi_487_: f32;
+    var phi_495_: f32;
+    var phi_496_: f32;
+    var phi_497_: f32;
+    var phi_506_: f32;
+    var phi_507_: f32;
+    var phi_525_: u32;
+    var phi_539_: u32;
+    var phi_546_: u32;
+    var phi_551_: u32;
+    var phi_557_: u32;
+    var phi_562_: u32;
+    var phi_564_: texture_Axis;
+
+    let _e75 = (*param_3).size;
+    let _e76 = (_e75 & 65535u);
+    let _e78 = (*param_3).size;
+    let _e80 = (_e78 >> bitcast<u32>(16i));
+    let _e82 = (*param_3).flags;
+    let _e84 = ((_e82 & 4u) != 0u);
+    let _e86 = (*param_3).flags;
+    let _e89 = ((_e86 >> bitcast<u32>(4u)) & 3u);
+    if (_e89 == 0u) {
+        if (param_4 > -8388608f) {
+            let _e102 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e102 > param_4) {
+                phi_282_ = 1f;
+            } else {
+                phi_282_ = 0f;
+            }
+            let _e105 = phi_282_;
+            if (param_4 < 8388608f) {
+                phi_287_ = (_e102 - _e105);
+                phi_288_ = false;
+            } else {
+                phi_287_ = f32();
+                phi_288_ = true;
+            }
+            let _e108 = phi_287_;
+            let _e110 = phi_288_;
+            phi_289_ = _e108;
+            phi_290_ = _e110;
+        } else {
+            phi_289_ = f32();
+            phi_290_ = true;
+        }
+        let _e112 = phi_289_;
+        let _e114 = phi_290_;
+        if _e114 {
+            phi_294_ = param_4;
+        } else {
+            phi_294_ = _e112;
+        }
+        let _e116 = phi_294_;
+        phi_342_ = (param_4 - _e116);
+    } else {
+        if (_e89 == 1u) {
+            let _e119 = (param_4 * 0.5f);
+            if (_e119 > -8388608f) {
+                let _e131 = f32(select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < bitcast<f32>(3472883712u))), 2147483647i, (_e119 > bitcast<f32>(1325400063u))), (_e119 == _e119)));
+                if (_e131 > _e119) {
+                    phi_320_ = 1f;
+                } else {
+                    phi_320_ = 0f;
+                }
+                let _e134 = phi_320_;
+                if (_e119 < 8388608f) {
+                    phi_325_ = (_e131 - _e134);
+                    phi_326_ = false;
+                } else {
+                    phi_325_ = f32();
+                    phi_326_ = true;
+                }
+                let _e137 = phi_325_;
+                let _e139 = phi_326_;
+                phi_327_ = _e137;
+                phi_328_ = _e139;
+            } else {
+                phi_327_ = f32();
+                phi_328_ = true;
+            }
+            let _e141 = phi_327_;
+            let _e143 = phi_328_;
+            if _e143 {
+                phi_332_ = _e119;
+            } else {
+                phi_332_ = _e141;
+            }
+            let _e145 = phi_332_;
+            let _e147 = (param_4 - (2f * _e145));
+            if (_e147 > 1f) {
+                phi_340_ = (2f - _e147);
+            } else {
+                phi_340_ = _e147;
+            }
+            let _e151 = phi_340_;
+            phi_341_ = _e151;
+        } else {
+            phi_341_ = param_4;
+        }
+        let _e153 = phi_341_;
+        phi_342_ = _e153;
+    }
+    let _e155 = phi_342_;
+    if (_e155 > 0f) {
+        if (_e155 < 1f) {
+            phi_351_ = _e155;
+        } else {
+            phi_351_ = 1f;
+        }
+        let _e159 = phi_351_;
+        phi_352_ = _e159;
+    } else {
+        phi_352_ = 0f;
+    }
+    let _e161 = phi_352_;
+    let _e162 = (_e76 - 1u);
+    let _e164 = (_e161 * f32(_e76));
+    if _e84 {
+        let _e171 = select(select(u32(_e164), 0u, (_e164 < bitcast<f32>(0u))), 4294967295u, (_e164 > bitcast<f32>(1333788671u)));
+        if (_e162 < _e171) {
+            phi_370_ = _e162;
+        } else {
+            phi_370_ = _e171;
+        }
+        let _e174 = phi_370_;
+        phi_409_ = texture_Axis(_e174, _e174, 0f);
+    } else {
+        let _e176 = (_e164 + 0.5f);
+        let _e183 = select(select(u32(_e176), 0u, (_e176 < bitcast<f32>(0u))), 4294967295u, (_e176 > bitcast<f32>(1333788671u)));
+        if (_e76 < _e183) {
+            phi_384_ = _e76;
+        } else {
+            phi_384_ = _e183;
+        }
+        let _e186 = phi_384_;
+        if (_e89 == 0u) {
+            phi_391_ = _e162;
+        } else {
+            phi_391_ = 0u;
+        }
+        let _e191 = phi_391_;
+        if (_e89 == 0u) {
+            phi_396_ = 0u;
+        } else {
+            phi_396_ = _e162;
+        }
+        let _e194 = phi_396_;
+        if (_e186 == 0u) {
+            phi_402_ = _e191;
+        } else {
+            phi_402_ = (_e186 - 1u);
+        }
+        let _e198 = phi_402_;
+        if (_e186 > _e162) {
+            phi_407_ = _e194;
+        } else {
+            phi_407_ = _e186;
+        }
+        let _e201 = phi_407_;
+        phi_409_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
+    }
+    let _e204 = phi_409_;
+    let _e206 = (*param_3).flags;
+    let _e209 = ((_e206 >> bitcast<u32>(6u)) & 3u);
+    if (_e209 == 0u) {
+        if (param_5 > -8388608f) {
+            let _e222 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e222 > param_5) {
+                phi_437_ = 1f;
+            } else {
+                phi_437_ = 0f;
+            }
+            let _e225 = phi_437_;
+            if (param_5 < 8388608f) {
+                phi_442_ = (_e222 - _e225);
+                phi_443_ = false;
+            } else {
+                phi_442_ = f32();
+                phi_443_ = true;
+            }
+            let _e228 = phi_442_;
+            let _e230 = phi_443_;
+            phi_444_ = _e228;
+            phi_445_ = _e230;
+        } else {
+            phi_444_ = f32();
+            phi_445_ = true;
+        }
+        let _e232 = phi_444_;
+        let _e234 = phi_445_;
+        if _e234 {
+            phi_449_ = param_5;
+        } else {
+            phi_449_ = _e232;
+        }
+        let _e236 = phi_449_;
+        phi_497_ = (param_5 - _e236);
+    } else {
+        if (_e209 == 1u) {
+            let _e239 = (param_5 * 0.5f);
+            if (_e239 > -8388608f) {
+                let _e251 = f32(select(0i, select(select(i32(_e239), i32(-2147483648), (_e239 < bitcast<f32>(3472883712u))), 2147483647i, (_e239 > bitcast<f32>(1325400063u))), (_e239 == _e239)));
+                if (_e251 > _e239) {
+                    phi_475_ = 1f;
+                } else {
+                    phi_475_ = 0f;
+                }
+                let _e254 = phi_475_;
+                if (_e239 < 8388608f) {
+                    phi_480_ = (_e251 - _e254);
+                    phi_481_ = false;
+                } else {
+                    phi_480_ = f32();
+                    phi_481_ = true;
+                }
+                let _e257 = phi_480_;
+                let _e259 = phi_481_;
+                phi_482_ = _e257;
+                phi_483_ = _e259;
+            } else {
+                phi_482_ = f32();
+                phi_483_ = true;
+            }
+            let _e261 = phi_482_;
+            let _e263 = phi_483_;
+            if _e263 {
+                phi_487_ = _e239;
+            } else {
+                phi_487_ = _e261;
+            }
+            let _e265 = phi_487_;
+            let _e267 = (param_5 - (2f * _e265));
+            if (_e267 > 1f) {
+                phi_495_ = (2f - _e267);
+            } else {
+                phi_495_ = _e267;
+            }
+            let _e271 = phi_495_;
+            phi_496_ = _e271;
+        } else {
+            phi_496_ = param_5;
+        }
+        let _e273 = phi_496_;
+        phi_497_ = _e273;
+    }
+    let _e275 = phi_497_;
+    if (_e275 > 0f) {
+        if (_e275 < 1f) {
+            phi_506_ = _e275;
+        } else {
+            phi_506_ = 1f;
+        }
+        let _e279 = phi_506_;
+        phi_507_ = _e279;
+    } else {
+        phi_507_ = 0f;
+    }
+    let _e281 = phi_507_;
+    let _e282 = (_e80 - 1u);
+    let _e284 = (_e281 * f32(_e80));
+    if _e84 {
+        let _e291 = select(select(u32(_e284), 0u, (_e284 < bitcast<f32>(0u))), 4294967295u, (_e284 > bitcast<f32>(1333788671u)));
+        if (_e282 < _e291) {
+            phi_525_ = _e282;
+        } else {
+            phi_525_ = _e291;
+        }
+        let _e294 = phi_525_;
+        phi_564_ = texture_Axis(_e294, _e294, 0f);
+    } else {
+        let _e296 = (_e284 + 0.5f);
+        let _e303 = select(select(u32(_e296), 0u, (_e296 < bitcast<f32>(0u))), 4294967295u, (_e296 > bitcast<f32>(1333788671u)));
+        if (_e80 < _e303) {
+            phi_539_ = _e80;
+        } else {
+            phi_539_ = _e303;
+        }
+        let _e306 = phi_539_;
+        if (_e209 == 0u) {
+            phi_546_ = _e282;
+        } else {
+            phi_546_ = 0u;
+        }
+        let _e311 = phi_546_;
+        if (_e209 == 0u) {
+            phi_551_ = 0u;
+        } else {
+            phi_551_ = _e282;
+        }
+        let _e314 = phi_551_;
+        if (_e306 == 0u) {
+            phi_557_ = _e311;
+        } else {
+            phi_557_ = (_e306 - 1u);
+        }
+        let _e318 = phi_557_;
+        if (_e306 > _e282) {
+            phi_562_ = _e314;
+        } else {
+            phi_562_ = _e306;
+        }
+        let _e321 = phi_562_;
+        phi_564_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
+    }
+    let _e324 = phi_564_;
+    let _e328 = (*param_3).offset;
+    let _e335 = (*param_3).offset;
+    let _e342 = (*param_3).offset;
+    let _e349 = (*param_3).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e328 + (_e324.low * _e76)) + _e204.low), ((_e335 + (_e324.low * _e76)) + _e204.high), ((_e342 + (_e324.high * _e76)) + _e204.low), ((_e349 + (_e324.high * _e76)) + _e204.high)), vec4<f32>(((1f - _e204.fraction) * (1f - _e324.fraction)), (_e204.fraction * (1f - _e324.fraction)), ((1f - _e204.fraction) * _e324.fraction), (_e204.fraction * _e324.fraction)));
+}
+
+fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
+}
+
+fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
+    var phi_627_: bool;
+    var phi_631_: f32;
+
+    if (param_8 != param_8) {
+        phi_627_ = true;
+    } else {
+        let _e74 = (param_9 >= param_8);
+        if _e74 {
+        }
+        phi_627_ = _e74;
+    }
+    let _e76 = phi_627_;
+    if _e76 {
+        phi_631_ = param_9;
+    } else {
+        phi_631_ = param_8;
+    }
+    let _e78 = phi_631_;
+    return _e78;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
+    var phi_643_: bool;
+    var phi_647_: f32;
+
+    if (param_10 != param_10) {
+        phi_643_ = true;
+    } else {
+        let _e74 = (param_11 <= param_10);
+        if _e74 {
+        }
+        phi_643_ = _e74;
+    }
+    let _e76 = phi_643_;
+    if _e76 {
+        phi_647_ = param_11;
+    } else {
+        phi_647_ = param_10;
+    }
+    let _e78 = phi_647_;
+    return _e78;
+}
+
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
+    var phi_655_: f32;
+
+    if (param_12 > param_13) {
+        phi_655_ = param_12;
+    } else {
+        phi_655_ = param_13;
+    }
+    let _e75 = phi_655_;
+    return _e75;
+}
+
+fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_14: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(1f, 1f, 1f);
+}
+
+fn function_() {
+    var local: texture_TextureView;
+    var local_1: lt_bvh_traverse_Stack;
+    var local_2: lt_bvh_traverse_Stack;
+    var phi_819_: bool;
+    var phi_820_: bool;
+    var phi_821_: bool;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_839_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_846_: bool;
+    var phi_850_: bool;
+    var phi_925_: f32;
+    var phi_932_: f32;
+    var phi_940_: f32;
+    var phi_947_: f32;
+    var phi_955_: f32;
+    var phi_962_: f32;
+    var phi_987_: f32;
+    var phi_992_: f32;
+    var phi_997_: f32;
+    var phi_1019_: u32;
+    var phi_1024_: u32;
+    var phi_1029_: u32;
+    var phi_1143_: bool;
+    var phi_1144_: bool;
+    var phi_1175_: u32;
+    var phi_1177_: u32;
+    var phi_1180_: lt_bvh_Hit;
+    var phi_1265_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1292_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1319_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1325_: u32;
+    var phi_1328_: u32;
+    var phi_1342_: u32;
+    var phi_1352_: u32;
+    var phi_1362_: u32;
+    var phi_1380_: u32;
+    var phi_1390_: u32;
+    var phi_1400_: u32;
+    var phi_1436_: u32;
+    var phi_1449_: u32;
+    var phi_1454_: u32;
+    var phi_1455_: u32;
+    var phi_1456_: u32;
+    var phi_1326_: u32;
+    var phi_1329_: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: u32;
+    var phi_1514_: u32;
+    var phi_1517_: lt_bvh_Hit;
+    var phi_1572_: f32;
+    var phi_1577_: f32;
+    var phi_1582_: f32;
+    var phi_1590_: f32;
+    var phi_1595_: f32;
+    var phi_1600_: f32;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1758_: bool;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1765_: bool;
+    var phi_1766_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1770_: bool;
+    var phi_1771_: bool;
+    var phi_1772_: bool;
+    var phi_1773_: bool;
+    var phi_1774_: bool;
+    var phi_1775_: bool;
+    var phi_1776_: bool;
+    var phi_1777_: bool;
+    var phi_1778_: bool;
+    var phi_1779_: bool;
+    var phi_1783_: bool;
+    var phi_1787_: bool;
+    var phi_1857_: f32;
+    var phi_1864_: f32;
+    var phi_1871_: f32;
+    var phi_1878_: f32;
+    var phi_1885_: f32;
+    var phi_1892_: f32;
+    var phi_1909_: f32;
+    var phi_1914_: f32;
+    var phi_1919_: f32;
+    var phi_1947_: bool;
+    var phi_1948_: bool;
+    var phi_1956_: u32;
+    var phi_1957_: u32;
+    var phi_1968_: vec3<f32>;
+    var phi_1969_: vec3<f32>;
+    var phi_1982_: u32;
+    var phi_1987_: u32;
+    var phi_1992_: u32;
+    var phi_2106_: bool;
+    var phi_2107_: bool;
+    var phi_2138_: u32;
+    var phi_2140_: lt_bvh_Hit;
+    var phi_2143_: u32;
+    var phi_2224_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2251_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2278_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2284_: u32;
+    var phi_2287_: u32;
+    var phi_2301_: u32;
+    var phi_2311_: u32;
+    var phi_2321_: u32;
+    var phi_2339_: u32;
+    var phi_2349_: u32;
+    var phi_2359_: u32;
+    var phi_2395_: u32;
+    var phi_2408_: u32;
+    var phi_2413_: u32;
+    var phi_2414_: u32;
+    var phi_2415_: u32;
+    var phi_2285_: u32;
+    var phi_2288_: u32;
+    var local_6: u32;
+    var local_7: u32;
+    var local_8: u32;
+    var phi_2473_: lt_bvh_Hit;
+    var phi_2476_: u32;
+    var phi_2520_: vec3<f32>;
+    var phi_2521_: vec3<f32>;
+    var phi_2552_: vec3<f32>;
+    var phi_2553_: vec3<f32>;
+    var phi_2584_: vec3<f32>;
+    var phi_2585_: vec3<f32>;
+    var phi_2605_: bool;
+    var phi_2606_: bool;
+    var phi_2610_: f32;
+    var phi_2611_: f32;
+    var phi_2612_: f32;
+    var phi_2613_: f32;
+    var phi_2621_: f32;
+    var phi_2631_: bool;
+    var phi_2632_: bool;
+    var phi_2636_: f32;
+    var phi_2637_: f32;
+    var phi_2638_: f32;
+    var phi_2639_: f32;
+    var phi_2647_: f32;
+    var phi_2657_: bool;
+    var phi_2658_: bool;
+    var phi_2662_: f32;
+    var phi_2663_: f32;
+    var phi_2664_: f32;
+    var phi_2665_: f32;
+    var phi_2673_: f32;
+    var phi_2688_: f32;
+    var phi_2689_: bool;
+    var phi_2690_: f32;
+    var phi_2691_: bool;
+    var phi_2692_: f32;
+    var phi_2693_: bool;
+    var phi_2711_: f32;
+    var phi_2712_: bool;
+    var phi_2713_: bool;
+    var phi_2714_: f32;
+    var phi_2715_: bool;
+    var phi_2716_: bool;
+    var phi_2720_: bool;
+    var phi_2721_: f32;
+    var phi_2722_: bool;
+    var phi_2756_: f32;
+    var phi_2765_: f32;
+    var phi_2774_: f32;
+    var phi_2783_: f32;
+    var phi_2790_: f32;
+    var phi_2797_: f32;
+    var phi_2810_: f32;
+    var phi_2819_: f32;
+    var phi_2828_: f32;
+    var phi_2837_: f32;
+    var phi_2844_: f32;
+    var phi_2851_: f32;
+    var phi_2868_: f32;
+    var phi_2873_: f32;
+    var phi_2878_: f32;
+    var phi_2886_: f32;
+    var phi_2891_: f32;
+    var phi_2896_: f32;
+    var phi_2908_: f32;
+    var phi_2913_: f32;
+    var phi_2918_: f32;
+    var phi_2923_: f32;
+    var phi_2928_: lt_bvh_triangle_Intersection;
+    var phi_2929_: bool;
+    var phi_2930_: lt_bvh_triangle_Intersection;
+    var phi_2931_: bool;
+    var phi_2935_: lt_bvh_triangle_Intersection;
+    var phi_2936_: bool;
+    var phi_2937_: lt_bvh_triangle_Intersection;
+    var phi_2938_: bool;
+    var phi_2939_: bool;
+    var phi_2943_: bool;
+    var phi_2947_: lt_bvh_triangle_Intersection;
+    var phi_2985_: bool;
+    var phi_2986_: bool;
+    var phi_2987_: bool;
+    var phi_2988_: bool;
+    var phi_2989_: bool;
+    var phi_2990_: bool;
+    var phi_2994_: bool;
+    var phi_2995_: bool;
+    var phi_3198_: f32;
+    var phi_3201_: bool;
+    var phi_3202_: bool;
+    var phi_3206_: bool;
+    var phi_3214_: lt_bvh_Hit;
+    var phi_3215_: lt_bvh_Hit;
+    var phi_3216_: lt_bvh_Hit;
+    var phi_3217_: lt_bvh_Hit;
+    var phi_2474_: lt_bvh_Hit;
+    var phi_2477_: u32;
+    var phi_3218_: bool;
+    var phi_3257_: bool;
+    var phi_3258_: bool;
+    var phi_3289_: u32;
+    var phi_2141_: lt_bvh_Hit;
+    var phi_2144_: u32;
+    var phi_3290_: lt_bvh_Hit;
+    var phi_3291_: lt_bvh_Hit;
+    var phi_3292_: bool;
+    var phi_3296_: lt_bvh_Hit;
+    var phi_3297_: lt_bvh_Hit;
+    var phi_3298_: lt_bvh_Hit;
+    var phi_3299_: lt_bvh_Hit;
+    var phi_1515_: u32;
+    var phi_1518_: lt_bvh_Hit;
+    var phi_3300_: bool;
+    var phi_3339_: bool;
+    var phi_3340_: bool;
+    var phi_3371_: u32;
+    var phi_1178_: u32;
+    var phi_1181_: lt_bvh_Hit;
+    var phi_3372_: lt_bvh_Hit;
+    var phi_3373_: lt_bvh_Hit;
+    var phi_3374_: bool;
+    var phi_3378_: lt_bvh_Hit;
+    var phi_3566_: f32;
+    var phi_3571_: f32;
+    var phi_3576_: f32;
+    var phi_3584_: f32;
+    var phi_3589_: f32;
+    var phi_3594_: f32;
+    var phi_3658_: vec3<f32>;
+    var phi_3779_: u32;
+    var phi_3806_: f32;
+    var phi_3813_: f32;
+    var phi_3820_: f32;
+    var phi_3855_: f32;
+    var phi_3862_: f32;
+    var phi_3869_: f32;
+    var phi_3907_: f32;
+    var phi_3914_: f32;
+    var phi_3921_: f32;
+    var phi_4007_: vec3<f32>;
+    var phi_4008_: vec3<f32>;
+    var phi_4009_: vec3<f32>;
+    var phi_4018_: f32;
+    var phi_4019_: f32;
+    var phi_4029_: f32;
+    var phi_4030_: f32;
+    var phi_4040_: f32;
+    var phi_4041_: f32;
+    var phi_4076_: abi_Sample;
+    var phi_4298_: vec3<f32>;
+    var local_9: lt_bvh_Hit;
+    var local_10: lt_bvh_Hit;
+    var local_11: lt_bvh_Hit;
+    var local_12: lt_bvh_Hit;
+
+    let _e74 = id_1;
+    let _e78 = arrayLength((&nodes.member));
+    let _e81 = arrayLength((&triangles.member));
+    let _e84 = arrayLength((&vertices.member));
+    let _e87 = arrayLength((&materials.member));
+    let _e93 = arrayLength((&instances.member));
+    let _e96 = arrayLength((&alpha_texels.member));
+    let _e99 = arrayLength((&before.member));
+    let _e105 = p.member.size[0u];
+    let _e107 = p.member.size[1u];
+    let _e108 = lt_shaders_entry_pixel_index(_e74, _e105, _e107);
+    if (bitcast<i32>(_e108.root) != 0i) {
+        let _e114 = p.member.root;
+        let _e118 = p.member.eye;
+        let _e123 = p.member.size[0u];
+        let _e127 = ((((f32(_e74.x) + 0.5f) / f32(_e123)) * 2f) - 1f);
+        let _e132 = p.member.size[1u];
+        let _e136 = (1f - (((f32(_e74.y) + 0.5f) / f32(_e132)) * 2f));
+        let _e138 = p.member.forward;
+        let _e140 = p.member.right;
+        let _e154 = p.member.up;
+        let _e165 = _lt_bvh_ray_Ray_new(_e118, vec3<f32>(((_e138.x + (_e140.x * _e127)) + (_e154.x * _e136)), ((_e138.y + (_e140.y * _e127)) + (_e154.y * _e136)), ((_e138.z + (_e140.z * _e127)) + (_e154.z * _e136))));
+        let _e167 = lt_bvh_Hit(_e165.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e177 = abs(_e165.direction.x);
+        let _e179 = abs(_e165.direction.y);
+        let _e181 = abs(_e165.direction.z);
+        if (abs(_e165.origin.x) < 1000000000000000f) {
+            if (abs(_e165.origin.y) < 1000000000000000f) {
+                if (abs(_e165.origin.z) < 1000000000000000f) {
+                    if (_e177 < 1000000000000000f) {
+                        if (_e179 < 1000000000000000f) {
+                            if (_e181 < 1000000000000000f) {
+                                if (_e177 > 0f) {
+                                    phi_820_ = bool();
+                                    phi_821_ = true;
+                                } else {
+                                    let _e189 = (_e179 > 0f);
+                                    if _e189 {
+                                        phi_819_ = bool();
+                                    } else {
+                                        phi_819_ = (_e181 > 0f);
+                                    }
+                                    let _e192 = phi_819_;
+                                    phi_820_ = _e192;
+                                    phi_821_ = _e189;
+                                }
+                                let _e194 = phi_820_;
+                                let _e196 = phi_821_;
+                                if _e196 {
+                                    phi_825_ = true;
+                                } else {
+                                    phi_825_ = _e194;
+                                }
+                                let _e198 = phi_825_;
+                                phi_826_ = _e198;
+                                phi_827_ = false;
+                            } else {
+                                phi_826_ = bool();
+                                phi_827_ = true;
+                            }
+                            let _e200 = phi_826_;
+                            let _e202 = phi_827_;
+                            phi_828_ = _e200;
+                            phi_829_ = false;
+                            phi_830_ = _e202;
+                        } else {
+                            phi_828_ = bool();
+                            phi_829_ = true;
+                            phi_830_ = false;
+                        }
+                        let _e204 = phi_828_;
+                        let _e206 = phi_829_;
+                        let _e208 = phi_830_;
+                        phi_831_ = _e204;
+                        phi_832_ = _e206;
+                        phi_833_ = _e208;
+                    } else {
+                        phi_831_ = bool();
+                        phi_832_ = true;
+                        phi_833_ = false;
+                    }
+                    let _e210 = phi_831_;
+                    let _e212 = phi_832_;
+                    let _e214 = phi_833_;
+                    phi_834_ = _e210;
+                    phi_835_ = _e212;
+                    phi_836_ = _e214;
+                } else {
+                    phi_834_ = bool();
+                    phi_835_ = true;
+                    phi_836_ = false;
+                }
+                let _e216 = phi_834_;
+                let _e218 = phi_835_;
+                let _e220 = phi_836_;
+                phi_837_ = _e216;
+                phi_838_ = _e218;
+                phi_839_ = _e220;
+            } else {
+                phi_837_ = bool();
+                phi_838_ = true;
+                phi_839_ = false;
+            }
+            let _e222 = phi_837_;
+            let _e224 = phi_838_;
+            let _e226 = phi_839_;
+            phi_840_ = _e222;
+            phi_841_ = _e224;
+            phi_842_ = _e226;
+        } else {
+            phi_840_ = bool();
+            phi_841_ = true;
+            phi_842_ = false;
+        }
+        let _e228 = phi_840_;
+        let _e230 = phi_841_;
+        let _e232 = phi_842_;
+        if _e230 {
+            phi_846_ = true;
+        } else {
+            phi_846_ = _e232;
+        }
+        let _e234 = phi_846_;
+        if _e234 {
+            phi_850_ = false;
+        } else {
+            phi_850_ = _e228;
+        }
+        let _e236 = phi_850_;
+        if _e236 {
+            let _e237 = (_e114 >= _e78);
+            if _e237 {
+                phi_3372_ = lt_bvh_Hit();
+            } else {
+                if (_e114 < _e78) {
+                } else {
+                    return;
+                }
+                let _e243 = nodes.member[(0u + _e114)].frame[0u];
+                let _e247 = nodes.member[(0u + _e114)].frame[1u];
+                let _e251 = nodes.member[(0u + _e114)].frame[2u];
+                let _e255 = nodes.member[(0u + _e114)].frame[0u];
+                let _e259 = nodes.member[(0u + _e114)].frame[1u];
+                let _e263 = nodes.member[(0u + _e114)].frame[2u];
+                let _e267 = nodes.member[(0u + _e114)].frame[3u];
+                let _e305 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165.direction.x), abs(_e165.direction.y));
+                let _e306 = core_intrinsics_maximum_number_nsz_f32_(_e305, abs(_e165.direction.z));
+                let _e307 = (_e306 * 0.0000000000009094947f);
+                if (abs(_e165.direction.x) < _e307) {
+                    phi_925_ = _e307;
+                } else {
+                    phi_925_ = abs(_e165.direction.x);
+                }
+                let _e314 = phi_925_;
+                if (_e165.direction.x < 0f) {
+                    phi_932_ = (-1f / _e314);
+                } else {
+                    phi_932_ = (1f / _e314);
+                }
+                let _e319 = phi_932_;
+                if (abs(_e165.direction.y) < _e307) {
+                    phi_940_ = _e307;
+                } else {
+                    phi_940_ = abs(_e165.direction.y);
+                }
+                let _e326 = phi_940_;
+                if (_e165.direction.y < 0f) {
+                    phi_947_ = (-1f / _e326);
+                } else {
+                    phi_947_ = (1f / _e326);
+                }
+                let _e331 = phi_947_;
+                if (abs(_e165.direction.z) < _e307) {
+                    phi_955_ = _e307;
+                } else {
+                    phi_955_ = abs(_e165.direction.z);
+                }
+                let _e338 = phi_955_;
+                if (_e165.direction.z < 0f) {
+                    phi_962_ = (-1f / _e338);
+                } else {
+                    phi_962_ = (1f / _e338);
+                }
+                let _e343 = phi_962_;
+                let _e351 = abs((bitcast<f32>(_e243) - _e165.origin.x));
+                let _e352 = abs((bitcast<f32>(_e247) - _e165.origin.y));
+                let _e353 = abs((bitcast<f32>(_e251) - _e165.origin.z));
+                let _e361 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e267 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
+                let _e362 = abs(((bitcast<f32>(_e259) + (bitcast<f32>((((_e267 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
+                let _e363 = abs(((bitcast<f32>(_e263) + (bitcast<f32>((((_e267 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
+                if (_e351 > _e361) {
+                    phi_987_ = _e351;
+                } else {
+                    phi_987_ = _e361;
+                }
+                let _e366 = phi_987_;
+                if (_e352 > _e362) {
+                    phi_992_ = _e352;
+                } else {
+                    phi_992_ = _e362;
+                }
+                let _e369 = phi_992_;
+                if (_e353 > _e363) {
+                    phi_997_ = _e353;
+                } else {
+                    phi_997_ = _e363;
+                }
+                let _e372 = phi_997_;
+                let _e373 = core_intrinsics_maximum_number_nsz_f32_(_e366, _e369);
+                let _e374 = core_intrinsics_maximum_number_nsz_f32_(_e373, _e372);
+                let _e379 = (_e374 * 0.0000019073486f);
+                let _e380 = (abs(_e319) * _e379);
+                let _e381 = (abs(_e331) * _e379);
+                let _e382 = (abs(_e343) * _e379);
+                let _e386 = (_e374 * 0.0000009536743f);
+                let _e387 = (abs(_e319) * _e386);
+                let _e388 = (abs(_e331) * _e386);
+                let _e389 = (abs(_e343) * _e386);
+                if (_e319 < 0f) {
+                    phi_1019_ = 0u;
+                } else {
+                    phi_1019_ = 1u;
+                }
+                let _e392 = phi_1019_;
+                if (_e331 < 0f) {
+                    phi_1024_ = 0u;
+                } else {
+                    phi_1024_ = 2u;
+                }
+                let _e395 = phi_1024_;
+                if (_e343 < 0f) {
+                    phi_1029_ = 0u;
+                } else {
+                    phi_1029_ = 4u;
+                }
+                let _e398 = phi_1029_;
+                let _e400 = ((_e392 | _e395) | _e398);
+                let _e401 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e401.first[0], _e401.first[1], _e401.first[2], _e401.first[3], _e401.first[4], _e401.first[5], _e401.first[6], _e401.first[7], _e401.first[8], _e401.first[9], _e401.first[10], _e401.first[11], _e401.first[12], _e401.first[13], _e401.first[14], _e401.first[15], _e401.first[16], _e401.first[17], _e401.first[18], _e401.first[19], _e401.first[20], _e401.first[21], _e401.first[22], _e401.first[23], _e401.first[24], _e401.first[25], _e401.first[26], _e401.first[27], _e401.first[28], _e401.first[29], _e401.first[30], _e401.first[31]), array<u32, 32>(_e401.mask[0], _e401.mask[1], _e401.mask[2], _e401.mask[3], _e401.mask[4], _e401.mask[5], _e401.mask[6], _e401.mask[7], _e401.mask[8], _e401.mask[9], _e401.mask[10], _e401.mask[11], _e401.mask[12], _e401.mask[13], _e401.mask[14], _e401.mask[15], _e401.mask[16], _e401.mask[17], _e401.mask[18], _e401.mask[19], _e401.mask[20], _e401.mask[21], _e401.mask[22], _e401.mask[23], _e401.mask[24], _e401.mask[25], _e401.mask[26], _e401.mask[27], _e401.mask[28], _e401.mask[29], _e401.mask[30], _e401.mask[31]), _e401.len, _e401.group, _e401.group_mask);
+                let _e475 = local_2.group_mask;
+                if ((_e475 & 4278190080u) == 0u) {
+                    let _e479 = local_2.len;
+                    if (_e479 == 0u) {
+                        phi_1143_ = false;
+                    } else {
+                        let _e483 = local_2.len;
+                        local_2.len = (_e483 - 1u);
+                        let _e486 = local_2.len;
+                        if (_e486 < 32u) {
+                        } else {
+                            return;
+                        }
+                        let _e491 = local_2.first[(0u + _e486)];
+                        local_2.group = _e491;
+                        let _e494 = local_2.len;
+                        if (_e494 < 32u) {
+                        } else {
+                            return;
+                        }
+                        let _e499 = local_2.mask[(0u + _e494)];
+                        local_2.group_mask = _e499;
+                        phi_1143_ = true;
+                    }
+                    let _e502 = phi_1143_;
+                    phi_1144_ = _e502;
+                } else {
+                    phi_1144_ = true;
+                }
+                let _e504 = phi_1144_;
+                if _e504 {
+                    let _e506 = local_2.group_mask;
+                    let _e512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e506)), 32u, (_e506 == 0u)));
+                    let _e516 = local_2.group_mask;
+                    let _e530 = local_2.group_mask;
+                    local_2.group_mask = (_e530 & ~((1u << bitcast<u32>((_e512 & 31u)))));
+                    let _e533 = local_2.group;
+                    phi_1175_ = (_e533 + countOneBits(((_e516 & ~((4294967295u << bitcast<u32>((((_e512 - 24u) ^ 7u) & 31u))))) & 255u)));
+                } else {
+                    phi_1175_ = 4294967295u;
+                }
+                let _e536 = phi_1175_;
+                phi_1177_ = _e536;
+                phi_1180_ = _e167;
+                loop {
+                    let _e538 = phi_1177_;
+                    let _e540 = phi_1180_;
+                    local_12 = _e540;
+                    let _e541 = (_e538 != 4294967295u);
+                    if _e541 {
+                        if (_e538 < _e78) {
+                        } else {
+                            return;
+                        }
+                        let _e549 = nodes.member[(0u + _e538)].frame[3u];
+                        let _e574 = (bitcast<f32>((((_e549 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
+                        let _e575 = (bitcast<f32>((((_e549 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
+                        let _e576 = (bitcast<f32>((((_e549 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e343);
+                        let _e579 = nodes.member[(0u + _e538)].frame[0u];
+                        let _e583 = nodes.member[(0u + _e538)].frame[1u];
+                        let _e587 = nodes.member[(0u + _e538)].frame[2u];
+                        let _e595 = ((bitcast<f32>(_e579) - _e165.origin.x) * _e319);
+                        let _e596 = ((bitcast<f32>(_e583) - _e165.origin.y) * _e331);
+                        let _e597 = ((bitcast<f32>(_e587) - _e165.origin.z) * _e343);
+                        let _e605 = nodes.member[(0u + _e538)].x;
+                        if (_e319 < 0f) {
+                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e616.unnamed.root, _e605.w), _e616.unnamed_1);
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_bvh_traverse_Tree(_e605.x, _e622.unnamed_1.first_primitive));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e628.unnamed_1.root, _e605.y));
+                        } else {
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.unnamed.root, _e605.y), _e644.unnamed_1);
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e605.z, _e650.unnamed_1.first_primitive));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e605.w));
+                        }
+                        let _e664 = phi_1265_;
+                        let _e674 = nodes.member[(0u + _e538)].y;
+                        if (_e331 < 0f) {
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e685.unnamed.root, _e674.w), _e685.unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e674.x, _e691.unnamed_1.first_primitive));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e697.unnamed_1.root, _e674.y));
+                        } else {
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.unnamed.root, _e674.y), _e713.unnamed_1);
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e674.z, _e719.unnamed_1.first_primitive));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e674.w));
+                        }
+                        let _e733 = phi_1292_;
+                        let _e743 = nodes.member[(0u + _e538)].z;
+                        if (_e343 < 0f) {
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e754.unnamed.root, _e743.w), _e754.unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e743.x, _e760.unnamed_1.first_primitive));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e766.unnamed_1.root, _e743.y));
+                        } else {
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.unnamed.root, _e743.y), _e782.unnamed_1);
+                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e743.z, _e788.unnamed_1.first_primitive));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e743.w));
+                        }
+                        let _e802 = phi_1319_;
+                        phi_1325_ = 0u;
+                        phi_1328_ = 0u;
+                        loop {
+                            let _e812 = phi_1325_;
+                            let _e814 = phi_1328_;
+                            local_3 = _e814;
+                            local_4 = _e814;
+                            local_5 = _e814;
+                            let _e815 = (_e812 < 8u);
+                            if _e815 {
+                                let _e817 = (_e812 >> bitcast<u32>(2i));
+                                let _e818 = (_e812 & 3u);
+                                if (_e817 == 0u) {
+                                    phi_1342_ = _e664.unnamed.root;
+                                } else {
+                                    phi_1342_ = _e664.unnamed.first_primitive;
+                                }
+                                let _e821 = phi_1342_;
+                                if (_e817 == 0u) {
+                                    phi_1352_ = _e733.unnamed.root;
+                                } else {
+                                    phi_1352_ = _e733.unnamed.first_primitive;
+                                }
+                                let _e830 = phi_1352_;
+                                if (_e817 == 0u) {
+                                    phi_1362_ = _e802.unnamed.root;
+                                } else {
+                                    phi_1362_ = _e802.unnamed.first_primitive;
+                                }
+                                let _e839 = phi_1362_;
+                                let _e852 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e821 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 - _e380)), ((f32(((_e830 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 - _e381)));
+                                let _e853 = core_intrinsics_maximum_number_nsz_f32_(_e852, ((f32(((_e839 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)));
+                                if (_e817 == 0u) {
+                                    phi_1380_ = _e664.unnamed_1.root;
+                                } else {
+                                    phi_1380_ = _e664.unnamed_1.first_primitive;
+                                }
+                                let _e856 = phi_1380_;
+                                if (_e817 == 0u) {
+                                    phi_1390_ = _e733.unnamed_1.root;
+                                } else {
+                                    phi_1390_ = _e733.unnamed_1.first_primitive;
+                                }
+                                let _e865 = phi_1390_;
+                                if (_e817 == 0u) {
+                                    phi_1400_ = _e802.unnamed_1.root;
+                                } else {
+                                    phi_1400_ = _e802.unnamed_1.first_primitive;
+                                }
+                                let _e874 = phi_1400_;
+                                let _e887 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 + _e380)), ((f32(((_e865 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 + _e381)));
+                                let _e888 = core_intrinsics_minimum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 + _e382)));
+                                if (_e853 <= _e888) {
+                                    if (_e853 <= _e540.t) {
+                                        if (_e888 >= _e165.tmin) {
+                                            if (_e817 == 0u) {
+                                                let _e895 = nodes.member[(0u + _e538)].links[2u];
+                                                phi_1436_ = _e895;
+                                            } else {
+                                                let _e898 = nodes.member[(0u + _e538)].links[3u];
+                                                phi_1436_ = _e898;
+                                            }
+                                            let _e900 = phi_1436_;
+                                            let _e905 = ((_e900 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u);
+                                            let _e906 = (_e905 & 31u);
+                                            if (_e906 >= 24u) {
+                                                phi_1449_ = (24u + ((_e906 - 24u) ^ _e400));
+                                            } else {
+                                                phi_1449_ = _e906;
+                                            }
+                                            let _e912 = phi_1449_;
+                                            phi_1454_ = (_e814 | ((_e905 >> bitcast<u32>(5i)) << bitcast<u32>((_e912 & 31u))));
+                                        } else {
+                                            phi_1454_ = _e814;
+                                        }
+                                        let _e920 = phi_1454_;
+                                        phi_1455_ = _e920;
+                                    } else {
+                                        phi_1455_ = _e814;
+                                    }
+                                    let _e922 = phi_1455_;
+                                    phi_1456_ = _e922;
+                                } else {
+                                    phi_1456_ = _e814;
+                                }
+                                let _e924 = phi_1456_;
+                                phi_1326_ = (_e812 + 1u);
+                                phi_1329_ = _e924;
+                            } else {
+                                phi_1326_ = u32();
+                                phi_1329_ = u32();
+                            }
+                            let _e927 = phi_1326_;
+                            let _e929 = phi_1329_;
+                            continue;
+                            continuing {
+                                phi_1325_ = _e927;
+                                phi_1328_ = _e929;
+                                break if !(_e815);
+                            }
+                        }
+                        let _e933 = nodes.member[(0u + _e538)].links[0u];
+                        let _e937 = nodes.member[(0u + _e538)].frame[3u];
+                        let _e941 = local_3;
+                        if ((_e941 & 4278190080u) == 0u) {
+                        } else {
+                            let _e945 = local_2.group_mask;
+                            if ((_e945 & 4278190080u) == 0u) {
+                            } else {
+                                let _e949 = local_2.len;
+                                if (_e949 < 32u) {
+                                    let _e952 = local_2.group;
+                                    let _e954 = local_2.len;
+                                    if (_e954 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    local_2.first[(0u + _e954)] = _e952;
+                                    let _e960 = local_2.group_mask;
+                                    let _e962 = local_2.len;
+                                    if (_e962 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    local_2.mask[(0u + _e962)] = _e960;
+                                    let _e969 = local_2.len;
+                                    local_2.len = (_e969 + 1u);
+                                }
+                            }
+                            local_2.group = (_e114 + _e933);
+                            let _e973 = local_4;
+                            local_2.group_mask = ((_e973 & 4278190080u) | (_e937 >> bitcast<u32>(24i)));
+                        }
+                        let _e978 = local_5;
+                        phi_1514_ = (_e978 & 16777215u);
+                        phi_1517_ = _e540;
+                        loop {
+                            let _e981 = phi_1514_;
+                            let _e983 = phi_1517_;
+                            local_11 = _e983;
+                            if (_e981 == 0u) {
+                                phi_1515_ = u32();
+                                phi_1518_ = lt_bvh_Hit();
+                                phi_3300_ = false;
+                            } else {
+                                let _e987 = nodes.member[(0u + _e538)].links[1u];
+                                let _e991 = (_e987 + select(firstTrailingBit(_e981), 32u, (_e981 == 0u)));
+                                if (_e991 < _e93) {
+                                } else {
+                                    return;
+                                }
+                                let _e998 = instances.member[(0u + _e991)].low_world;
+                                let _e1000 = instances.member[(0u + _e991)].high_world;
+                                let _e1010 = ((_e998.x - _e165.origin.x) * _e319);
+                                let _e1011 = ((_e998.y - _e165.origin.y) * _e331);
+                                let _e1012 = ((_e998.z - _e165.origin.z) * _e343);
+                                let _e1022 = ((_e1000.x - _e165.origin.x) * _e319);
+                                let _e1023 = ((_e1000.y - _e165.origin.y) * _e331);
+                                let _e1024 = ((_e1000.z - _e165.origin.z) * _e343);
+                                if (_e1010 < _e1022) {
+                                    phi_1572_ = _e1010;
+                                } else {
+                                    phi_1572_ = _e1022;
+                                }
+                                let _e1027 = phi_1572_;
+                                if (_e1011 < _e1023) {
+                                    phi_1577_ = _e1011;
+                                } else {
+                                    phi_1577_ = _e1023;
+                                }
+                                let _e1030 = phi_1577_;
+                                if (_e1012 < _e1024) {
+                                    phi_1582_ = _e1012;
+                                } else {
+                                    phi_1582_ = _e1024;
+                                }
+                                let _e1033 = phi_1582_;
+                                if (_e1010 > _e1022) {
+                                    phi_1590_ = _e1010;
+                                } else {
+                                    phi_1590_ = _e1022;
+                                }
+                                let _e1039 = phi_1590_;
+                                if (_e1011 > _e1023) {
+                                    phi_1595_ = _e1011;
+                                } else {
+                                    phi_1595_ = _e1023;
+                                }
+                                let _e1042 = phi_1595_;
+                                if (_e1012 > _e1024) {
+                                    phi_1600_ = _e1012;
+                                } else {
+                                    phi_1600_ = _e1024;
+                                }
+                                let _e1045 = phi_1600_;
+                                let _e1049 = core_intrinsics_maximum_number_nsz_f32_((_e1027 - _e387), (_e1030 - _e388));
+                                let _e1050 = core_intrinsics_maximum_number_nsz_f32_(_e1049, (_e1033 - _e389));
+                                let _e1051 = core_intrinsics_minimum_number_nsz_f32_((_e1039 + _e387), (_e1042 + _e388));
+                                let _e1052 = core_intrinsics_minimum_number_nsz_f32_(_e1051, (_e1045 + _e389));
+                                if (_e1050 <= _e1052) {
+                                    if (_e1050 <= _e983.t) {
+                                        if (_e1052 >= _e165.tmin) {
+                                            let _e1064 = instances.member[(0u + _e991)].world_to_object[0u];
+                                            let _e1075 = ((((_e1064.x * _e165.origin.x) + (_e1064.y * _e165.origin.y)) + (_e1064.z * _e165.origin.z)) + (_e1064.w * 1f));
+                                            let _e1077 = instances.member[(0u + _e991)].world_to_object[1u];
+                                            let _e1088 = ((((_e1077.x * _e165.origin.x) + (_e1077.y * _e165.origin.y)) + (_e1077.z * _e165.origin.z)) + (_e1077.w * 1f));
+                                            let _e1090 = instances.member[(0u + _e991)].world_to_object[2u];
+                                            let _e1101 = ((((_e1090.x * _e165.origin.x) + (_e1090.y * _e165.origin.y)) + (_e1090.z * _e165.origin.z)) + (_e1090.w * 1f));
+                                            let _e1108 = instances.member[(0u + _e991)].world_to_object[0u];
+                                            let _e1119 = ((((_e1108.x * _e165.direction.x) + (_e1108.y * _e165.direction.y)) + (_e1108.z * _e165.direction.z)) + (_e1108.w * 0f));
+                                            let _e1121 = instances.member[(0u + _e991)].world_to_object[1u];
+                                            let _e1132 = ((((_e1121.x * _e165.direction.x) + (_e1121.y * _e165.direction.y)) + (_e1121.z * _e165.direction.z)) + (_e1121.w * 0f));
+                                            let _e1134 = instances.member[(0u + _e991)].world_to_object[2u];
+                                            let _e1145 = ((((_e1134.x * _e165.direction.x) + (_e1134.y * _e165.direction.y)) + (_e1134.z * _e165.direction.z)) + (_e1134.w * 0f));
+                                            let _e1150 = instances.member[(0u + _e991)].root;
+                                            let _e1152 = instances.member[(0u + _e991)].first_triangle;
+                                            let _e1156 = abs(_e1119);
+                                            let _e1157 = abs(_e1132);
+                                            let _e1158 = abs(_e1145);
+                                            if (abs(_e1075) < 1000000000000000f) {
+                                                if (abs(_e1088) < 1000000000000000f) {
+                                                    if (abs(_e1101) < 1000000000000000f) {
+                                                        if (_e1156 < 1000000000000000f) {
+                                                            if (_e1157 < 1000000000000000f) {
+                                                                if (_e1158 < 1000000000000000f) {
+                                                                    if (_e1156 > 0f) {
+                                                                        phi_1757_ = bool();
+                                                                        phi_1758_ = true;
+                                                                    } else {
+                                                                        let _e1166 = (_e1157 > 0f);
+                                                                        if _e1166 {
+                                                                            phi_1756_ = bool();
+                                                                        } else {
+                                                                            phi_1756_ = (_e1158 > 0f);
+                                                                        }
+                                                                        let _e1169 = phi_1756_;
+                                                                        phi_1757_ = _e1169;
+                                                                        phi_1758_ = _e1166;
+                                                                    }
+                                                                    let _e1171 = phi_1757_;
+                                                                    let _e1173 = phi_1758_;
+                                                                    if _e1173 {
+                                                                        phi_1762_ = true;
+                                                                    } else {
+                                                                        phi_1762_ = _e1171;
+                                                                    }
+                                                                    let _e1175 = phi_1762_;
+                                                                    phi_1763_ = _e1175;
+                                                                    phi_1764_ = false;
+                                                                } else {
+                                                                    phi_1763_ = bool();
+                                                                    phi_1764_ = true;
+                                                                }
+                                                                let _e1177 = phi_1763_;
+                                                                let _e1179 = phi_1764_;
+                                                                phi_1765_ = _e1177;
+                                                                phi_1766_ = false;
+                                                                phi_1767_ = _e1179;
+                                                            } else {
+                                                                phi_1765_ = bool();
+                                                                phi_1766_ = true;
+                                                                phi_1767_ = false;
+                                                            }
+                                                            let _e1181 = phi_1765_;
+                                                            let _e1183 = phi_1766_;
+                                                            let _e1185 = phi_1767_;
+                                                            phi_1768_ = _e1181;
+                                                            phi_1769_ = _e1183;
+                                                            phi_1770_ = _e1185;
+                                                        } else {
+                                                            phi_1768_ = bool();
+                                                            phi_1769_ = true;
+                                                            phi_1770_ = false;
+                                                        }
+                                                        let _e1187 = phi_1768_;
+                                                        let _e1189 = phi_1769_;
+                                                        let _e1191 = phi_1770_;
+                                                        phi_1771_ = _e1187;
+                                                        phi_1772_ = _e1189;
+                                                        phi_1773_ = _e1191;
+                                                    } else {
+                                                        phi_1771_ = bool();
+                                                        phi_1772_ = true;
+                                                        phi_1773_ = false;
+                                                    }
+                                                    let _e1193 = phi_1771_;
+                                                    let _e1195 = phi_1772_;
+                                                    let _e1197 = phi_1773_;
+                                                    phi_1774_ = _e1193;
+                                                    phi_1775_ = _e1195;
+                                                    phi_1776_ = _e1197;
+                                                } else {
+                                                    phi_1774_ = bool();
+                                                    phi_1775_ = true;
+                                                    phi_1776_ = false;
+                                                }
+                                                let _e1199 = phi_1774_;
+                                                let _e1201 = phi_1775_;
+                                                let _e1203 = phi_1776_;
+                                                phi_1777_ = _e1199;
+                                                phi_1778_ = _e1201;
+                                                phi_1779_ = _e1203;
+                                            } else {
+                                                phi_1777_ = bool();
+                                                phi_1778_ = true;
+                                                phi_1779_ = false;
+                                            }
+                                            let _e1205 = phi_1777_;
+                                            let _e1207 = phi_1778_;
+                                            let _e1209 = phi_1779_;
+                                            if _e1207 {
+                                                phi_1783_ = true;
+                                            } else {
+                                                phi_1783_ = _e1209;
+                                            }
+                                            let _e1211 = phi_1783_;
+                                            if _e1211 {
+                                                phi_1787_ = false;
+                                            } else {
+                                                phi_1787_ = _e1205;
+                                            }
+                                            let _e1213 = phi_1787_;
+                                            if _e1213 {
+                                                let _e1214 = (_e1150 >= _e78);
+                                                if _e1214 {
+                                                    phi_3290_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1150 < _e78) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1220 = nodes.member[(0u + _e1150)].frame[0u];
+                                                    let _e1224 = nodes.member[(0u + _e1150)].frame[1u];
+                                                    let _e1228 = nodes.member[(0u + _e1150)].frame[2u];
+                                                    let _e1232 = nodes.member[(0u + _e1150)].frame[0u];
+                                                    let _e1236 = nodes.member[(0u + _e1150)].frame[1u];
+                                                    let _e1240 = nodes.member[(0u + _e1150)].frame[2u];
+                                                    let _e1244 = nodes.member[(0u + _e1150)].frame[3u];
+                                                    let _e1278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1119), abs(_e1132));
+                                                    let _e1279 = core_intrinsics_maximum_number_nsz_f32_(_e1278, abs(_e1145));
+                                                    let _e1280 = (_e1279 * 0.0000000000009094947f);
+                                                    if (abs(_e1119) < _e1280) {
+                                                        phi_1857_ = _e1280;
+                                                    } else {
+                                                        phi_1857_ = abs(_e1119);
+                                                    }
+                                                    let _e1285 = phi_1857_;
+                                                    if (_e1119 < 0f) {
+                                                        phi_1864_ = (-1f / _e1285);
+                                                    } else {
+                                                        phi_1864_ = (1f / _e1285);
+                                                    }
+                                                    let _e1290 = phi_1864_;
+                                                    if (abs(_e1132) < _e1280) {
+                                                        phi_1871_ = _e1280;
+                                                    } else {
+                                                        phi_1871_ = abs(_e1132);
+                                                    }
+                                                    let _e1295 = phi_1871_;
+                                                    if (_e1132 < 0f) {
+                                                        phi_1878_ = (-1f / _e1295);
+                                                    } else {
+                                                        phi_1878_ = (1f / _e1295);
+                                                    }
+                                                    let _e1300 = phi_1878_;
+                                                    if (abs(_e1145) < _e1280) {
+                                                        phi_1885_ = _e1280;
+                                                    } else {
+                                                        phi_1885_ = abs(_e1145);
+                                                    }
+                                                    let _e1305 = phi_1885_;
+                                                    if (_e1145 < 0f) {
+                                                        phi_1892_ = (-1f / _e1305);
+                                                    } else {
+                                                        phi_1892_ = (1f / _e1305);
+                                                    }
+                                                    let _e1310 = phi_1892_;
+                                                    let _e1314 = abs((bitcast<f32>(_e1220) - _e1075));
+                                                    let _e1315 = abs((bitcast<f32>(_e1224) - _e1088));
+                                                    let _e1316 = abs((bitcast<f32>(_e1228) - _e1101));
+                                                    let _e1320 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1075));
+                                                    let _e1321 = abs(((bitcast<f32>(_e1236) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1088));
+                                                    let _e1322 = abs(((bitcast<f32>(_e1240) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1101));
+                                                    if (_e1314 > _e1320) {
+                                                        phi_1909_ = _e1314;
+                                                    } else {
+                                                        phi_1909_ = _e1320;
+                                                    }
+                                                    let _e1325 = phi_1909_;
+                                                    if (_e1315 > _e1321) {
+                                                        phi_1914_ = _e1315;
+                                                    } else {
+                                                        phi_1914_ = _e1321;
+                                                    }
+                                                    let _e1328 = phi_1914_;
+                                                    if (_e1316 > _e1322) {
+                                                        phi_1919_ = _e1316;
+                                                    } else {
+                                                        phi_1919_ = _e1322;
+                                                    }
+                                                    let _e1331 = phi_1919_;
+                                                    let _e1332 = core_intrinsics_maximum_number_nsz_f32_(_e1325, _e1328);
+                                                    let _e1333 = core_intrinsics_maximum_number_nsz_f32_(_e1332, _e1331);
+                                                    let _e1337 = (_e1333 * 0.0000019073486f);
+                                                    let _e1338 = (abs(_e1290) * _e1337);
+                                                    let _e1339 = (abs(_e1300) * _e1337);
+                                                    let _e1340 = (abs(_e1310) * _e1337);
+                                                    let _e1344 = (_e1333 * 0.0000009536743f);
+                                                    let _e1345 = (abs(_e1290) * _e1344);
+                                                    let _e1346 = (abs(_e1300) * _e1344);
+                                                    let _e1347 = (abs(_e1310) * _e1344);
+                                                    let _e1348 = abs(_e1119);
+                                                    let _e1349 = abs(_e1132);
+                                                    let _e1350 = abs(_e1145);
+                                                    if (_e1348 >= _e1349) {
+                                                        if (_e1348 >= _e1350) {
+                                                            phi_1947_ = false;
+                                                        } else {
+                                                            phi_1947_ = true;
+                                                        }
+                                                        let _e1354 = phi_1947_;
+                                                        phi_1948_ = _e1354;
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                    }
+                                                    let _e1356 = phi_1948_;
+                                                    if _e1356 {
+                                                        if (_e1349 >= _e1350) {
+                                                            phi_1956_ = 1u;
+                                                        } else {
+                                                            phi_1956_ = 2u;
+                                                        }
+                                                        let _e1359 = phi_1956_;
+                                                        phi_1957_ = _e1359;
+                                                    } else {
+                                                        phi_1957_ = 0u;
+                                                    }
+                                                    let _e1361 = phi_1957_;
+                                                    if (_e1361 == 0u) {
+                                                        phi_1969_ = vec3<f32>(_e1132, _e1145, _e1119);
+                                                    } else {
+                                                        if (_e1361 == 1u) {
+                                                            phi_1968_ = vec3<f32>(_e1145, _e1119, _e1132);
+                                                        } else {
+                                                            phi_1968_ = vec3<f32>(_e1119, _e1132, _e1145);
+                                                        }
+                                                        let _e1367 = phi_1968_;
+                                                        phi_1969_ = _e1367;
+                                                    }
+                                                    let _e1369 = phi_1969_;
+                                                    let _e1372 = (_e1369.x / _e1369.z);
+                                                    let _e1375 = (_e1369.y / _e1369.z);
+                                                    let _e1377 = (1f / _e1369.z);
+                                                    if (_e1290 < 0f) {
+                                                        phi_1982_ = 0u;
+                                                    } else {
+                                                        phi_1982_ = 1u;
+                                                    }
+                                                    let _e1380 = phi_1982_;
+                                                    if (_e1300 < 0f) {
+                                                        phi_1987_ = 0u;
+                                                    } else {
+                                                        phi_1987_ = 2u;
+                                                    }
+                                                    let _e1383 = phi_1987_;
+                                                    if (_e1310 < 0f) {
+                                                        phi_1992_ = 0u;
+                                                    } else {
+                                                        phi_1992_ = 4u;
+                                                    }
+                                                    let _e1386 = phi_1992_;
+                                                    let _e1388 = ((_e1380 | _e1383) | _e1386);
+                                                    let _e1389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1150, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1389.first[0], _e1389.first[1], _e1389.first[2], _e1389.first[3], _e1389.first[4], _e1389.first[5], _e1389.first[6], _e1389.first[7], _e1389.first[8], _e1389.first[9], _e1389.first[10], _e1389.first[11], _e1389.first[12], _e1389.first[13], _e1389.first[14], _e1389.first[15], _e1389.first[16], _e1389.first[17], _e1389.first[18], _e1389.first[19], _e1389.first[20], _e1389.first[21], _e1389.first[22], _e1389.first[23], _e1389.first[24], _e1389.first[25], _e1389.first[26], _e1389.first[27], _e1389.first[28], _e1389.first[29], _e1389.first[30], _e1389.first[31]), array<u32, 32>(_e1389.mask[0], _e1389.mask[1], _e1389.mask[2], _e1389.mask[3], _e1389.mask[4], _e1389.mask[5], _e1389.mask[6], _e1389.mask[7], _e1389.mask[8], _e1389.mask[9], _e1389.mask[10], _e1389.mask[11], _e1389.mask[12], _e1389.mask[13], _e1389.mask[14], _e1389.mask[15], _e1389.mask[16], _e1389.mask[17], _e1389.mask[18], _e1389.mask[19], _e1389.mask[20], _e1389.mask[21], _e1389.mask[22], _e1389.mask[23], _e1389.mask[24], _e1389.mask[25], _e1389.mask[26], _e1389.mask[27], _e1389.mask[28], _e1389.mask[29], _e1389.mask[30], _e1389.mask[31]), _e1389.len, _e1389.group, _e1389.group_mask);
+                                                    let _e1463 = local_1.group_mask;
+                                                    if ((_e1463 & 4278190080u) == 0u) {
+                                                        let _e1467 = local_1.len;
+                                                        if (_e1467 == 0u) {
+                                                            phi_2106_ = false;
+                                                        } else {
+                                                            let _e1471 = local_1.len;
+                                                            local_1.len = (_e1471 - 1u);
+                                                            let _e1474 = local_1.len;
+                                                            if (_e1474 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1479 = local_1.first[(0u + _e1474)];
+                                                            local_1.group = _e1479;
+                                                            let _e1482 = local_1.len;
+                                                            if (_e1482 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1487 = local_1.mask[(0u + _e1482)];
+                                                            local_1.group_mask = _e1487;
+                                                            phi_2106_ = true;
+                                                        }
+                                                        let _e1490 = phi_2106_;
+                                                        phi_2107_ = _e1490;
+                                                    } else {
+                                                        phi_2107_ = true;
+                                                    }
+                                                    let _e1492 = phi_2107_;
+                                                    if _e1492 {
+                                                        let _e1494 = local_1.group_mask;
+                                                        let _e1500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1494)), 32u, (_e1494 == 0u)));
+                                                        let _e1504 = local_1.group_mask;
+                                                        let _e1518 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1518 & ~((1u << bitcast<u32>((_e1500 & 31u)))));
+                                                        let _e1521 = local_1.group;
+                                                        phi_2138_ = (_e1521 + countOneBits(((_e1504 & ~((4294967295u << bitcast<u32>((((_e1500 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    } else {
+                                                        phi_2138_ = 4294967295u;
+                                                    }
+                                                    let _e1524 = phi_2138_;
+                                                    phi_2140_ = _e983;
+                                                    phi_2143_ = _e1524;
+                                                    loop {
+                                                        let _e1526 = phi_2140_;
+                                                        let _e1528 = phi_2143_;
+                                                        local_10 = _e1526;
+                                                        let _e1529 = (_e1528 != 4294967295u);
+                                                        if _e1529 {
+                                                            if (_e1528 < _e78) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1536 = nodes.member[(0u + _e1528)].frame[3u];
+                                                            let _e1561 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
+                                                            let _e1562 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1300);
+                                                            let _e1563 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1310);
+                                                            let _e1566 = nodes.member[(0u + _e1528)].frame[0u];
+                                                            let _e1570 = nodes.member[(0u + _e1528)].frame[1u];
+                                                            let _e1574 = nodes.member[(0u + _e1528)].frame[2u];
+                                                            let _e1579 = ((bitcast<f32>(_e1566) - _e1075) * _e1290);
+                                                            let _e1580 = ((bitcast<f32>(_e1570) - _e1088) * _e1300);
+                                                            let _e1581 = ((bitcast<f32>(_e1574) - _e1101) * _e1310);
+                                                            let _e1589 = nodes.member[(0u + _e1528)].x;
+                                                            if (_e1290 < 0f) {
+                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1600.unnamed.root, _e1589.w), _e1600.unnamed_1);
+                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_bvh_traverse_Tree(_e1589.x, _e1606.unnamed_1.first_primitive));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1612.unnamed_1.root, _e1589.y));
+                                                            } else {
+                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1628.unnamed.root, _e1589.y), _e1628.unnamed_1);
+                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_bvh_traverse_Tree(_e1589.z, _e1634.unnamed_1.first_primitive));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_bvh_traverse_Tree(_e1640.unnamed_1.root, _e1589.w));
+                                                            }
+                                                            let _e1648 = phi_2224_;
+                                                            let _e1658 = nodes.member[(0u + _e1528)].y;
+                                                            if (_e1300 < 0f) {
+                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1669.unnamed.root, _e1658.w), _e1669.unnamed_1);
+                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1658.x, _e1675.unnamed_1.first_primitive));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1681.unnamed_1.root, _e1658.y));
+                                                            } else {
+                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1697.unnamed.root, _e1658.y), _e1697.unnamed_1);
+                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_bvh_traverse_Tree(_e1658.z, _e1703.unnamed_1.first_primitive));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_bvh_traverse_Tree(_e1709.unnamed_1.root, _e1658.w));
+                                                            }
+                                                            let _e1717 = phi_2251_;
+                                                            let _e1727 = nodes.member[(0u + _e1528)].z;
+                                                            if (_e1310 < 0f) {
+                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1738.unnamed.root, _e1727.w), _e1738.unnamed_1);
+                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_bvh_traverse_Tree(_e1727.x, _e1744.unnamed_1.first_primitive));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1750.unnamed, lt_bvh_traverse_Tree(_e1750.unnamed_1.root, _e1727.y));
+                                                            } else {
+                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1766.unnamed.root, _e1727.y), _e1766.unnamed_1);
+                                                                let _e1778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_bvh_traverse_Tree(_e1727.z, _e1772.unnamed_1.first_primitive));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1778.unnamed, lt_bvh_traverse_Tree(_e1778.unnamed_1.root, _e1727.w));
+                                                            }
+                                                            let _e1786 = phi_2278_;
+                                                            phi_2284_ = 0u;
+                                                            phi_2287_ = 0u;
+                                                            loop {
+                                                                let _e1796 = phi_2284_;
+                                                                let _e1798 = phi_2287_;
+                                                                local_6 = _e1798;
+                                                                local_7 = _e1798;
+                                                                local_8 = _e1798;
+                                                                let _e1799 = (_e1796 < 8u);
+                                                                if _e1799 {
+                                                                    let _e1801 = (_e1796 >> bitcast<u32>(2i));
+                                                                    let _e1802 = (_e1796 & 3u);
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2301_ = _e1648.unnamed.root;
+                                                                    } else {
+                                                                        phi_2301_ = _e1648.unnamed.first_primitive;
+                                                                    }
+                                                                    let _e1805 = phi_2301_;
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2311_ = _e1717.unnamed.root;
+                                                                    } else {
+                                                                        phi_2311_ = _e1717.unnamed.first_primitive;
+                                                                    }
+                                                                    let _e1814 = phi_2311_;
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2321_ = _e1786.unnamed.root;
+                                                                    } else {
+                                                                        phi_2321_ = _e1786.unnamed.first_primitive;
+                                                                    }
+                                                                    let _e1823 = phi_2321_;
+                                                                    let _e1836 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1805 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 - _e1338)), ((f32(((_e1814 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 - _e1339)));
+                                                                    let _e1837 = core_intrinsics_maximum_number_nsz_f32_(_e1836, ((f32(((_e1823 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)));
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2339_ = _e1648.unnamed_1.root;
+                                                                    } else {
+                                                                        phi_2339_ = _e1648.unnamed_1.first_primitive;
+                                                                    }
+                                                                    let _e1840 = phi_2339_;
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2349_ = _e1717.unnamed_1.root;
+                                                                    } else {
+                                                                        phi_2349_ = _e1717.unnamed_1.first_primitive;
+                                                                    }
+                                                                    let _e1849 = phi_2349_;
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2359_ = _e1786.unnamed_1.root;
+                                                                    } else {
+                                                                        phi_2359_ = _e1786.unnamed_1.first_primitive;
+                                                                    }
+                                                                    let _e1858 = phi_2359_;
+                                                                    let _e1871 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1840 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 + _e1338)), ((f32(((_e1849 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 + _e1339)));
+                                                                    let _e1872 = core_intrinsics_minimum_number_nsz_f32_(_e1871, ((f32(((_e1858 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)));
+                                                                    if (_e1837 <= _e1872) {
+                                                                        if (_e1837 <= _e1526.t) {
+                                                                            if (_e1872 >= _e165.tmin) {
+                                                                                if (_e1801 == 0u) {
+                                                                                    let _e1879 = nodes.member[(0u + _e1528)].links[2u];
+                                                                                    phi_2395_ = _e1879;
+                                                                                } else {
+                                                                                    let _e1882 = nodes.member[(0u + _e1528)].links[3u];
+                                                                                    phi_2395_ = _e1882;
+                                                                                }
+                                                                                let _e1884 = phi_2395_;
+                                                                                let _e1889 = ((_e1884 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u);
+                                                                                let _e1890 = (_e1889 & 31u);
+                                                                                if (_e1890 >= 24u) {
+                                                                                    phi_2408_ = (24u + ((_e1890 - 24u) ^ _e1388));
+                                                                                } else {
+                                                                                    phi_2408_ = _e1890;
+                                                                                }
+                                                                                let _e1896 = phi_2408_;
+                                                                                phi_2413_ = (_e1798 | ((_e1889 >> bitcast<u32>(5i)) << bitcast<u32>((_e1896 & 31u))));
+                                                                            } else {
+                                                                                phi_2413_ = _e1798;
+                                                                            }
+                                                                            let _e1904 = phi_2413_;
+                                                                            phi_2414_ = _e1904;
+                                                                        } else {
+                                                                            phi_2414_ = _e1798;
+                                                                        }
+                                                                        let _e1906 = phi_2414_;
+                                                                        phi_2415_ = _e1906;
+                                                                    } else {
+                                                                        phi_2415_ = _e1798;
+                                                                    }
+                                                                    let _e1908 = phi_2415_;
+                                                                    phi_2285_ = (_e1796 + 1u);
+                                                                    phi_2288_ = _e1908;
+                                                                } else {
+                                                                    phi_2285_ = u32();
+                                                                    phi_2288_ = u32();
+                                                                }
+                                                                let _e1911 = phi_2285_;
+                                                                let _e1913 = phi_2288_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_2284_ = _e1911;
+                                                                    phi_2287_ = _e1913;
+                                                                    break if !(_e1799);
+                                                                }
+                                                            }
+                                                            let _e1917 = nodes.member[(0u + _e1528)].links[0u];
+                                                            let _e1921 = nodes.member[(0u + _e1528)].frame[3u];
+                                                            let _e1925 = local_6;
+                                                            if ((_e1925 & 4278190080u) == 0u) {
+                                                            } else {
+                                                                let _e1929 = local_1.group_mask;
+                                                                if ((_e1929 & 4278190080u) == 0u) {
+                                                                } else {
+                                                                    let _e1933 = local_1.len;
+                                                                    if (_e1933 < 32u) {
+                                                                        let _e1936 = local_1.group;
+                                                                        let _e1938 = local_1.len;
+                                                                        if (_e1938 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local_1.first[(0u + _e1938)] = _e1936;
+                                                                        let _e1944 = local_1.group_mask;
+                                                                        let _e1946 = local_1.len;
+                                                                        if (_e1946 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local_1.mask[(0u + _e1946)] = _e1944;
+                                                                        let _e1953 = local_1.len;
+                                                                        local_1.len = (_e1953 + 1u);
+                                                                    }
+                                                                }
+                                                                local_1.group = (_e1150 + _e1917);
+                                                                let _e1957 = local_7;
+                                                                local_1.group_mask = ((_e1957 & 4278190080u) | (_e1921 >> bitcast<u32>(24i)));
+                                                            }
+                                                            let _e1962 = local_8;
+                                                            phi_2473_ = _e1526;
+                                                            phi_2476_ = (_e1962 & 16777215u);
+                                                            loop {
+                                                                let _e1965 = phi_2473_;
+                                                                let _e1967 = phi_2476_;
+                                                                local_9 = _e1965;
+                                                                if (_e1967 == 0u) {
+                                                                    phi_2474_ = lt_bvh_Hit();
+                                                                    phi_2477_ = u32();
+                                                                    phi_3218_ = false;
+                                                                } else {
+                                                                    let _e1971 = nodes.member[(0u + _e1528)].links[1u];
+                                                                    let _e1976 = ((_e1152 + _e1971) + select(firstTrailingBit(_e1967), 32u, (_e1967 == 0u)));
+                                                                    if (_e1976 < _e81) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e1983 = triangles.member[(0u + _e1976)].v0_;
+                                                                    let _e1985 = (_e1983.x - _e1075);
+                                                                    let _e1987 = (_e1983.y - _e1088);
+                                                                    let _e1989 = (_e1983.z - _e1101);
+                                                                    if (_e1361 == 0u) {
+                                                                        phi_2521_ = vec3<f32>(_e1987, _e1989, _e1985);
+                                                                    } else {
+                                                                        if (_e1361 == 1u) {
+                                                                            phi_2520_ = vec3<f32>(_e1989, _e1985, _e1987);
+                                                                        } else {
+                                                                            phi_2520_ = (_e1983 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                        }
+                                                                        let _e1997 = phi_2520_;
+                                                                        phi_2521_ = _e1997;
+                                                                    }
+                                                                    let _e1999 = phi_2521_;
+                                                                    let _e2003 = (_e1999.x - (_e1372 * _e1999.z));
+                                                                    let _e2007 = (_e1999.y - (_e1375 * _e1999.z));
+                                                                    let _e2011 = triangles.member[(0u + _e1976)].v1_;
+                                                                    let _e2013 = (_e2011.x - _e1075);
+                                                                    let _e2015 = (_e2011.y - _e1088);
+                                                                    let _e2017 = (_e2011.z - _e1101);
+                                                                    if (_e1361 == 0u) {
+                                                                        phi_2553_ = vec3<f32>(_e2015, _e2017, _e2013);
+                                                                    } else {
+                                                                        if (_e1361 == 1u) {
+                                                                            phi_2552_ = vec3<f32>(_e2017, _e2013, _e2015);
+                                                                        } else {
+                                                                            phi_2552_ = (_e2011 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                        }
+                                                                        let _e2025 = phi_2552_;
+                                                                        phi_2553_ = _e2025;
+                                                                    }
+                                                                    let _e2027 = phi_2553_;
+                                                                    let _e2031 = (_e2027.x - (_e1372 * _e2027.z));
+                                                                    let _e2035 = (_e2027.y - (_e1375 * _e2027.z));
+                                                                    let _e2039 = triangles.member[(0u + _e1976)].v2_;
+                                                                    let _e2041 = (_e2039.x - _e1075);
+                                                                    let _e2043 = (_e2039.y - _e1088);
+                                                                    let _e2045 = (_e2039.z - _e1101);
+                                                                    if (_e1361 == 0u) {
+                                                                        phi_2585_ = vec3<f32>(_e2043, _e2045, _e2041);
+                                                                    } else {
+                                                                        if (_e1361 == 1u) {
+                                                                            phi_2584_ = vec3<f32>(_e2045, _e2041, _e2043);
+                                                                        } else {
+                                                                            phi_2584_ = (_e2039 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                        }
+                                                                        let _e2053 = phi_2584_;
+                                                                        phi_2585_ = _e2053;
+                                                                    }
+                                                                    let _e2055 = phi_2585_;
+                                                                    let _e2059 = (_e2055.x - (_e1372 * _e2055.z));
+                                                                    let _e2063 = (_e2055.y - (_e1375 * _e2055.z));
+                                                                    if (_e2031 < _e2059) {
+                                                                        phi_2606_ = true;
+                                                                    } else {
+                                                                        if (_e2031 == _e2059) {
+                                                                            phi_2605_ = (_e2035 < _e2063);
+                                                                        } else {
+                                                                            phi_2605_ = false;
+                                                                        }
+                                                                        let _e2070 = phi_2605_;
+                                                                        phi_2606_ = _e2070;
+                                                                    }
+                                                                    let _e2072 = phi_2606_;
+                                                                    if _e2072 {
+                                                                        phi_2610_ = _e2063;
+                                                                        phi_2611_ = _e2059;
+                                                                        phi_2612_ = _e2035;
+                                                                        phi_2613_ = _e2031;
+                                                                    } else {
+                                                                        phi_2610_ = _e2035;
+                                                                        phi_2611_ = _e2031;
+                                                                        phi_2612_ = _e2063;
+                                                                        phi_2613_ = _e2059;
+                                                                    }
+                                                                    let _e2074 = phi_2610_;
+                                                                    let _e2076 = phi_2611_;
+                                                                    let _e2078 = phi_2612_;
+                                                                    let _e2080 = phi_2613_;
+                                                                    let _e2083 = ((_e2080 * _e2074) - (_e2078 * _e2076));
+                                                                    if _e2072 {
+                                                                        phi_2621_ = -(_e2083);
+                                                                    } else {
+                                                                        phi_2621_ = _e2083;
+                                                                    }
+                                                                    let _e2086 = phi_2621_;
+                                                                    if (_e2059 < _e2003) {
+                                                                        phi_2632_ = true;
+                                                                    } else {
+                                                                        if (_e2059 == _e2003) {
+                                                                            phi_2631_ = (_e2063 < _e2007);
+                                                                        } else {
+                                                                            phi_2631_ = false;
+                                                                        }
+                                                                        let _e2091 = phi_2631_;
+                                                                        phi_2632_ = _e2091;
+                                                                    }
+                                                                    let _e2093 = phi_2632_;
+                                                                    if _e2093 {
+                                                                        phi_2636_ = _e2007;
+                                                                        phi_2637_ = _e2003;
+                                                                        phi_2638_ = _e2063;
+                                                                        phi_2639_ = _e2059;
+                                                                    } else {
+                                                                        phi_2636_ = _e2063;
+                                                                        phi_2637_ = _e2059;
+                                                                        phi_2638_ = _e2007;
+                                                                        phi_2639_ = _e2003;
+                                                                    }
+                                                                    let _e2095 = phi_2636_;
+                                                                    let _e2097 = phi_2637_;
+                                                                    let _e2099 = phi_2638_;
+                                                                    let _e2101 = phi_2639_;
+                                                                    let _e2104 = ((_e2101 * _e2095) - (_e2099 * _e2097));
+                                                                    if _e2093 {
+                                                                        phi_2647_ = -(_e2104);
+                                                                    } else {
+                                                                        phi_2647_ = _e2104;
+                                                                    }
+                                                                    let _e2107 = phi_2647_;
+                                                                    if (_e2003 < _e2031) {
+                                                                        phi_2658_ = true;
+                                                                    } else {
+                                                                        if (_e2003 == _e2031) {
+                                                                            phi_2657_ = (_e2007 < _e2035);
+                                                                        } else {
+                                                                            phi_2657_ = false;
+                                                                        }
+                                                                        let _e2112 = phi_2657_;
+                                                                        phi_2658_ = _e2112;
+                                                                    }
+                                                                    let _e2114 = phi_2658_;
+                                                                    if _e2114 {
+                                                                        phi_2662_ = _e2035;
+                                                                        phi_2663_ = _e2031;
+                                                                        phi_2664_ = _e2007;
+                                                                        phi_2665_ = _e2003;
+                                                                    } else {
+                                                                        phi_2662_ = _e2007;
+                                                                        phi_2663_ = _e2003;
+                                                                        phi_2664_ = _e2035;
+                                                                        phi_2665_ = _e2031;
+                                                                    }
+                                                                    let _e2116 = phi_2662_;
+                                                                    let _e2118 = phi_2663_;
+                                                                    let _e2120 = phi_2664_;
+                                                                    let _e2122 = phi_2665_;
+                                                                    let _e2125 = ((_e2122 * _e2116) - (_e2120 * _e2118));
+                                                                    if _e2114 {
+                                                                        phi_2673_ = -(_e2125);
+                                                                    } else {
+                                                                        phi_2673_ = _e2125;
+                                                                    }
+                                                                    let _e2128 = phi_2673_;
+                                                                    if (_e2086 >= 0f) {
+                                                                        if (_e2107 >= 0f) {
+                                                                            if (_e2128 >= 0f) {
+                                                                                phi_2688_ = ((_e2086 + _e2107) + _e2128);
+                                                                                phi_2689_ = false;
+                                                                            } else {
+                                                                                phi_2688_ = f32();
+                                                                                phi_2689_ = true;
+                                                                            }
+                                                                            let _e2135 = phi_2688_;
+                                                                            let _e2137 = phi_2689_;
+                                                                            phi_2690_ = _e2135;
+                                                                            phi_2691_ = _e2137;
+                                                                        } else {
+                                                                            phi_2690_ = f32();
+                                                                            phi_2691_ = true;
+                                                                        }
+                                                                        let _e2139 = phi_2690_;
+                                                                        let _e2141 = phi_2691_;
+                                                                        phi_2692_ = _e2139;
+                                                                        phi_2693_ = _e2141;
+                                                                    } else {
+                                                                        phi_2692_ = f32();
+                                                                        phi_2693_ = true;
+                                                                    }
+                                                                    let _e2143 = phi_2692_;
+                                                                    let _e2145 = phi_2693_;
+                                                                    if _e2145 {
+                                                                        if (_e2086 <= 0f) {
+                                                                            if (_e2107 <= 0f) {
+                                                                                let _e2148 = (_e2128 <= 0f);
+                                                                                if _e2148 {
+                                                                                }
+                                                                                phi_2711_ = ((_e2086 + _e2107) + _e2128);
+                                                                                phi_2712_ = false;
+                                                                                phi_2713_ = _e2148;
+                                                                            } else {
+                                                                                phi_2711_ = f32();
+                                                                                phi_2712_ = true;
+                                                                                phi_2713_ = false;
+                                                                            }
+                                                                            let _e2152 = phi_2711_;
+                                                                            let _e2154 = phi_2712_;
+                                                                            let _e2156 = phi_2713_;
+                                                                            phi_2714_ = _e2152;
+                                                                            phi_2715_ = _e2154;
+                                                                            phi_2716_ = _e2156;
+                                                                        } else {
+                                                                            phi_2714_ = f32();
+                                                                            phi_2715_ = true;
+                                                                            phi_2716_ = false;
+                                                                        }
+                                                                        let _e2158 = phi_2714_;
+                                                                        let _e2160 = phi_2715_;
+                                                                        let _e2162 = phi_2716_;
+                                                                        if _e2160 {
+                                                                            phi_2720_ = false;
+                                                                        } else {
+                                                                            phi_2720_ = _e2162;
+                                                                        }
+                                                                        let _e2164 = phi_2720_;
+                                                                        phi_2721_ = _e2158;
+                                                                        phi_2722_ = _e2164;
+                                                                    } else {
+                                                                        phi_2721_ = _e2143;
+                                                                        phi_2722_ = true;
+                                                                    }
+                                                                    let _e2166 = phi_2721_;
+                                                                    let _e2168 = phi_2722_;
+                                                                    if _e2168 {
+                                                                        let _e2169 = (_e2166 == 0f);
+                                                                        if _e2169 {
+                                                                            phi_2935_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2936_ = false;
+                                                                        } else {
+                                                                            let _e2175 = ((((_e2086 * (_e1377 * _e1999.z)) + (_e2107 * (_e1377 * _e2027.z))) + (_e2128 * (_e1377 * _e2055.z))) / _e2166);
+                                                                            if (_e2175 > _e165.tmin) {
+                                                                                if (_e2175 < _e165.tmax) {
+                                                                                    let _e2179 = triangles.member[(0u + _e1976)].v0_;
+                                                                                    let _e2181 = triangles.member[(0u + _e1976)].v1_;
+                                                                                    if (_e2179.x < _e2181.x) {
+                                                                                        phi_2756_ = _e2179.x;
+                                                                                    } else {
+                                                                                        phi_2756_ = _e2181.x;
+                                                                                    }
+                                                                                    let _e2188 = phi_2756_;
+                                                                                    if (_e2179.y < _e2181.y) {
+                                                                                        phi_2765_ = _e2179.y;
+                                                                                    } else {
+                                                                                        phi_2765_ = _e2181.y;
+                                                                                    }
+                                                                                    let _e2195 = phi_2765_;
+                                                                                    if (_e2179.z < _e2181.z) {
+                                                                                        phi_2774_ = _e2179.z;
+                                                                                    } else {
+                                                                                        phi_2774_ = _e2181.z;
+                                                                                    }
+                                                                                    let _e2202 = phi_2774_;
+                                                                                    let _e2204 = triangles.member[(0u + _e1976)].v2_;
+                                                                                    if (_e2188 < _e2204.x) {
+                                                                                        phi_2783_ = _e2188;
+                                                                                    } else {
+                                                                                        phi_2783_ = _e2204.x;
+                                                                                    }
+                                                                                    let _e2209 = phi_2783_;
+                                                                                    if (_e2195 < _e2204.y) {
+                                                                                        phi_2790_ = _e2195;
+                                                                                    } else {
+                                                                                        phi_2790_ = _e2204.y;
+                                                                                    }
+                                                                                    let _e2214 = phi_2790_;
+                                                                                    if (_e2202 < _e2204.z) {
+                                                                                        phi_2797_ = _e2202;
+                                                                                    } else {
+                                                                                        phi_2797_ = _e2204.z;
+                                                                                    }
+                                                                                    let _e2219 = phi_2797_;
+                                                                                    let _e2221 = triangles.member[(0u + _e1976)].v0_;
+                                                                                    let _e2223 = triangles.member[(0u + _e1976)].v1_;
+                                                                                    if (_e2221.x > _e2223.x) {
+                                                                                        phi_2810_ = _e2221.x;
+                                                                                    } else {
+                                                                                        phi_2810_ = _e2223.x;
+                                                                                    }
+                                                                                    let _e2230 = phi_2810_;
+                                                                                    if (_e2221.y > _e2223.y) {
+                                                                                        phi_2819_ = _e2221.y;
+                                                                                    } else {
+                                                                                        phi_2819_ = _e2223.y;
+                                                                                    }
+                                                                                    let _e2237 = phi_2819_;
+                                                                                    if (_e2221.z > _e2223.z) {
+                                                                                        phi_2828_ = _e2221.z;
+                                                                                    } else {
+                                                                                        phi_2828_ = _e2223.z;
+                                                                                    }
+                                                                                    let _e2244 = phi_2828_;
+                                                                                    let _e2246 = triangles.member[(0u + _e1976)].v2_;
+                                                                                    if (_e2230 > _e2246.x) {
+                                                                                        phi_2837_ = _e2230;
+                                                                                    } else {
+                                                                                        phi_2837_ = _e2246.x;
+                                                                                    }
+                                                                                    let _e2251 = phi_2837_;
+                                                                                    if (_e2237 > _e2246.y) {
+                                                                                        phi_2844_ = _e2237;
+                                                                                    } else {
+                                                                                        phi_2844_ = _e2246.y;
+                                                                                    }
+                                                                                    let _e2256 = phi_2844_;
+                                                                                    if (_e2244 > _e2246.z) {
+                                                                                        phi_2851_ = _e2244;
+                                                                                    } else {
+                                                                                        phi_2851_ = _e2246.z;
+                                                                                    }
+                                                                                    let _e2261 = phi_2851_;
+                                                                                    let _e2265 = ((_e2209 - _e1075) * _e1290);
+                                                                                    let _e2266 = ((_e2214 - _e1088) * _e1300);
+                                                                                    let _e2267 = ((_e2219 - _e1101) * _e1310);
+                                                                                    let _e2271 = ((_e2251 - _e1075) * _e1290);
+                                                                                    let _e2272 = ((_e2256 - _e1088) * _e1300);
+                                                                                    let _e2273 = ((_e2261 - _e1101) * _e1310);
+                                                                                    if (_e2265 < _e2271) {
+                                                                                        phi_2868_ = _e2265;
+                                                                                    } else {
+                                                                                        phi_2868_ = _e2271;
+                                                                                    }
+                                                                                    let _e2276 = phi_2868_;
+                                                                                    if (_e2266 < _e2272) {
+                                                                                        phi_2873_ = _e2266;
+                                                                                    } else {
+                                                                                        phi_2873_ = _e2272;
+                                                                                    }
+                                                                                    let _e2279 = phi_2873_;
+                                                                                    if (_e2267 < _e2273) {
+                                                                                        phi_2878_ = _e2267;
+                                                                                    } else {
+                                                                                        phi_2878_ = _e2273;
+                                                                                    }
+                                                                                    let _e2282 = phi_2878_;
+                                                                                    if (_e2265 > _e2271) {
+                                                                                        phi_2886_ = _e2265;
+                                                                                    } else {
+                                                                                        phi_2886_ = _e2271;
+                                                                                    }
+                                                                                    let _e2288 = phi_2886_;
+                                                                                    if (_e2266 > _e2272) {
+                                                                                        phi_2891_ = _e2266;
+                                                                                    } else {
+                                                                                        phi_2891_ = _e2272;
+                                                                                    }
+                                                                                    let _e2291 = phi_2891_;
+                                                                                    if (_e2267 > _e2273) {
+                                                                                        phi_2896_ = _e2267;
+                                                                                    } else {
+                                                                                        phi_2896_ = _e2273;
+                                                                                    }
+                                                                                    let _e2294 = phi_2896_;
+                                                                                    let _e2298 = core_intrinsics_maximum_number_nsz_f32_((_e2276 - _e1345), (_e2279 - _e1346));
+                                                                                    let _e2299 = core_intrinsics_maximum_number_nsz_f32_(_e2298, (_e2282 - _e1347));
+                                                                                    let _e2300 = core_intrinsics_minimum_number_nsz_f32_((_e2288 + _e1345), (_e2291 + _e1346));
+                                                                                    let _e2301 = core_intrinsics_minimum_number_nsz_f32_(_e2300, (_e2294 + _e1347));
+                                                                                    if (_e2299 > _e1050) {
+                                                                                        phi_2908_ = _e2299;
+                                                                                    } else {
+                                                                                        phi_2908_ = _e1050;
+                                                                                    }
+                                                                                    let _e2304 = phi_2908_;
+                                                                                    if (_e2301 < _e1052) {
+                                                                                        phi_2913_ = _e2301;
+                                                                                    } else {
+                                                                                        phi_2913_ = _e1052;
+                                                                                    }
+                                                                                    let _e2307 = phi_2913_;
+                                                                                    if (_e2175 < _e2304) {
+                                                                                        phi_2918_ = _e2304;
+                                                                                    } else {
+                                                                                        phi_2918_ = _e2175;
+                                                                                    }
+                                                                                    let _e2310 = phi_2918_;
+                                                                                    if (_e2310 > _e2307) {
+                                                                                        phi_2923_ = _e2307;
+                                                                                    } else {
+                                                                                        phi_2923_ = _e2310;
+                                                                                    }
+                                                                                    let _e2313 = phi_2923_;
+                                                                                    phi_2928_ = lt_bvh_triangle_Intersection(_e2313, (_e2107 / _e2166), (_e2128 / _e2166), (_e2304 <= _e2307));
+                                                                                    phi_2929_ = false;
+                                                                                } else {
+                                                                                    phi_2928_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2929_ = true;
+                                                                                }
+                                                                                let _e2319 = phi_2928_;
+                                                                                let _e2321 = phi_2929_;
+                                                                                phi_2930_ = _e2319;
+                                                                                phi_2931_ = _e2321;
+                                                                            } else {
+                                                                                phi_2930_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2931_ = true;
+                                                                            }
+                                                                            let _e2323 = phi_2930_;
+                                                                            let _e2325 = phi_2931_;
+                                                                            if _e2325 {
+                                                                            }
+                                                                            phi_2935_ = _e2323;
+                                                                            phi_2936_ = _e2325;
+                                                                        }
+                                                                        let _e2327 = phi_2935_;
+                                                                        let _e2329 = phi_2936_;
+                                                                        phi_2937_ = _e2327;
+                                                                        phi_2938_ = _e2169;
+                                                                        phi_2939_ = _e2329;
+                                                                    } else {
+                                                                        phi_2937_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2938_ = true;
+                                                                        phi_2939_ = false;
+                                                                    }
+                                                                    let _e2331 = phi_2937_;
+                                                                    let _e2333 = phi_2938_;
+                                                                    let _e2335 = phi_2939_;
+                                                                    if _e2333 {
+                                                                        phi_2943_ = true;
+                                                                    } else {
+                                                                        phi_2943_ = _e2335;
+                                                                    }
+                                                                    let _e2337 = phi_2943_;
+                                                                    if _e2337 {
+                                                                        phi_2947_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2947_ = _e2331;
+                                                                    }
+                                                                    let _e2339 = phi_2947_;
+                                                                    if _e2339.is_hit {
+                                                                        if (_e2339.t > _e165.tmin) {
+                                                                            if (_e2339.t < _e1965.t) {
+                                                                                phi_2995_ = true;
+                                                                            } else {
+                                                                                if (_e2339.t == _e1965.t) {
+                                                                                    if (_e1965.triangle != 4294967295u) {
+                                                                                        if (_e1976 < _e1965.triangle) {
+                                                                                            phi_2986_ = true;
+                                                                                        } else {
+                                                                                            if (_e1976 == _e1965.triangle) {
+                                                                                                phi_2985_ = (_e991 < _e1965.instance);
+                                                                                            } else {
+                                                                                                phi_2985_ = false;
+                                                                                            }
+                                                                                            let _e2357 = phi_2985_;
+                                                                                            phi_2986_ = _e2357;
+                                                                                        }
+                                                                                        let _e2359 = phi_2986_;
+                                                                                        phi_2987_ = _e2359;
+                                                                                        phi_2988_ = false;
+                                                                                    } else {
+                                                                                        phi_2987_ = bool();
+                                                                                        phi_2988_ = true;
+                                                                                    }
+                                                                                    let _e2361 = phi_2987_;
+                                                                                    let _e2363 = phi_2988_;
+                                                                                    phi_2989_ = _e2361;
+                                                                                    phi_2990_ = _e2363;
+                                                                                } else {
+                                                                                    phi_2989_ = bool();
+                                                                                    phi_2990_ = true;
+                                                                                }
+                                                                                let _e2365 = phi_2989_;
+                                                                                let _e2367 = phi_2990_;
+                                                                                if _e2367 {
+                                                                                    phi_2994_ = false;
+                                                                                } else {
+                                                                                    phi_2994_ = _e2365;
+                                                                                }
+                                                                                let _e2369 = phi_2994_;
+                                                                                phi_2995_ = _e2369;
+                                                                            }
+                                                                            let _e2371 = phi_2995_;
+                                                                            if _e2371 {
+                                                                                let _e2373 = triangles.member[(0u + _e1976)].i0_;
+                                                                                if ((_e2373 & 2147483648u) == 0u) {
+                                                                                    phi_3206_ = true;
+                                                                                } else {
+                                                                                    if (_e1976 < _e81) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2382 = triangles.member[(0u + _e1976)].i0_;
+                                                                                    let _e2383 = (_e2382 & 2147483647u);
+                                                                                    let _e2385 = triangles.member[(0u + _e1976)].i1_;
+                                                                                    let _e2387 = triangles.member[(0u + _e1976)].i2_;
+                                                                                    if (_e2383 < _e84) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2391 = vertices.member[(0u + _e2383)];
+                                                                                    if (_e2385 < _e84) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2395 = vertices.member[(0u + _e2385)];
+                                                                                    if (_e2387 < _e84) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2399 = vertices.member[(0u + _e2387)];
+                                                                                    let _e2400 = array<abi_Vertex, 3>(_e2391, _e2395, _e2399);
+                                                                                    if (_e2400[0].material < _e87) {
+                                                                                    } else {
+                                                                                        return;
+                                                                                    }
+                                                                                    let _e2406 = materials.member[(0u + _e2400[0].material)];
+                                                                                    if ((_e2406.flags & 0u) == 0u) {
+                                                                                        let _e2411 = ((1f - _e2339.u) - _e2339.v);
+                                                                                        if (_e2406.cutoff <= 0f) {
+                                                                                            phi_3201_ = true;
+                                                                                        } else {
+                                                                                            let _e2438 = (_e2406.base_color.w * ((((f32((_e2400[0].color >> bitcast<u32>(24i))) * _e2411) + (f32((_e2400[1].color >> bitcast<u32>(24i))) * _e2339.u)) + (f32((_e2400[2].color >> bitcast<u32>(24i))) * _e2339.v)) * (1f / 255f)));
+                                                                                            if (_e2406.alpha_size == 0u) {
+                                                                                                phi_3198_ = _e2438;
+                                                                                            } else {
+                                                                                                local.offset = _e2406.alpha_offset;
+                                                                                                local.size = _e2406.alpha_size;
+                                                                                                local.flags = _e2406.flags;
+                                                                                                let _e2469 = _lt_shaders_texture_TextureView_quad((&local), (((_e2400[0].u * _e2411) + (_e2400[1].u * _e2339.u)) + (_e2400[2].u * _e2339.v)), (((_e2400[0].v * _e2411) + (_e2400[1].v * _e2339.u)) + (_e2400[2].v * _e2339.v)));
+                                                                                                let _e2473 = (_e2469.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2473 < _e96) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2477 = alpha_texels.member[(0u + _e2473)];
+                                                                                                let _e2493 = (_e2469.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2493 < _e96) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2497 = alpha_texels.member[(0u + _e2493)];
+                                                                                                let _e2514 = (_e2469.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2514 < _e96) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2518 = alpha_texels.member[(0u + _e2514)];
+                                                                                                let _e2535 = (_e2469.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2535 < _e96) {
+                                                                                                } else {
+                                                                                                    return;
+                                                                                                }
+                                                                                                let _e2539 = alpha_texels.member[(0u + _e2535)];
+                                                                                                phi_3198_ = (_e2438 * (((((f32(((_e2477 >> bitcast<u32>((((_e2469.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2469.weights.x) + ((f32(((_e2497 >> bitcast<u32>((((_e2469.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2469.weights.y)) + ((f32(((_e2518 >> bitcast<u32>((((_e2469.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2469.weights.z)) + ((f32(((_e2539 >> bitcast<u32>((((_e2469.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2469.weights.w)));
+                                                                                            }
+                                                                                            let _e2555 = phi_3198_;
+                                                                                            phi_3201_ = (_e2555 >= _e2406.cutoff);
+                                                                                        }
+                                                                                        let _e2559 = phi_3201_;
+                                                                                        phi_3202_ = _e2559;
+                                                                                    } else {
+                                                                                        phi_3202_ = false;
+                                                                                    }
+                                                                                    let _e2561 = phi_3202_;
+                                                                                    if _e2561 {
+                                                                                    }
+                                                                                    phi_3206_ = _e2561;
+                                                                                }
+                                                                                let _e2563 = phi_3206_;
+                                                                                if _e2563 {
+                                                                                    phi_3214_ = lt_bvh_Hit(_e2339.t, _e2339.u, _e2339.v, _e1976, _e991);
+                                                                                } else {
+                                                                                    phi_3214_ = _e1965;
+                                                                                }
+                                                                                let _e2569 = phi_3214_;
+                                                                                phi_3215_ = _e2569;
+                                                                            } else {
+                                                                                phi_3215_ = _e1965;
+                                                                            }
+                                                                            let _e2571 = phi_3215_;
+                                                                            phi_3216_ = _e2571;
+                                                                        } else {
+                                                                            phi_3216_ = _e1965;
+                                                                        }
+                                                                        let _e2573 = phi_3216_;
+                                                                        phi_3217_ = _e2573;
+                                                                    } else {
+                                                                        phi_3217_ = _e1965;
+                                                                    }
+                                                                    let _e2575 = phi_3217_;
+                                                                    phi_2474_ = _e2575;
+                                                                    phi_2477_ = (_e1967 & (_e1967 - 1u));
+                                                                    phi_3218_ = true;
+                                                                }
+                                                                let _e2577 = phi_2474_;
+                                                                let _e2579 = phi_2477_;
+                                                                let _e2581 = phi_3218_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_2473_ = _e2577;
+                                                                    phi_2476_ = _e2579;
+                                                                    break if !(_e2581);
+                                                                }
+                                                            }
+                                                            let _e2584 = local_1.group_mask;
+                                                            if ((_e2584 & 4278190080u) == 0u) {
+                                                                let _e2588 = local_1.len;
+                                                                if (_e2588 == 0u) {
+                                                                    phi_3257_ = false;
+                                                                } else {
+                                                                    let _e2592 = local_1.len;
+                                                                    local_1.len = (_e2592 - 1u);
+                                                                    let _e2595 = local_1.len;
+                                                                    if (_e2595 < 32u) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e2600 = local_1.first[(0u + _e2595)];
+                                                                    local_1.group = _e2600;
+                                                                    let _e2603 = local_1.len;
+                                                                    if (_e2603 < 32u) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e2608 = local_1.mask[(0u + _e2603)];
+                                                                    local_1.group_mask = _e2608;
+                                                                    phi_3257_ = true;
+                                                                }
+                                                                let _e2611 = phi_3257_;
+                                                                phi_3258_ = _e2611;
+                                                            } else {
+                                                                phi_3258_ = true;
+                                                            }
+                                                            let _e2613 = phi_3258_;
+                                                            if _e2613 {
+                                                                let _e2615 = local_1.group_mask;
+                                                                let _e2621 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2615)), 32u, (_e2615 == 0u)));
+                                                                let _e2625 = local_1.group_mask;
+                                                                let _e2639 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2639 & ~((1u << bitcast<u32>((_e2621 & 31u)))));
+                                                                let _e2642 = local_1.group;
+                                                                phi_3289_ = (_e2642 + countOneBits(((_e2625 & ~((4294967295u << bitcast<u32>((((_e2621 - 24u) ^ _e1388) & 31u))))) & 255u)));
+                                                            } else {
+                                                                phi_3289_ = 4294967295u;
+                                                            }
+                                                            let _e2645 = phi_3289_;
+                                                            let _e3820 = local_9;
+                                                            phi_2141_ = _e3820;
+                                                            phi_2144_ = _e2645;
+                                                        } else {
+                                                            phi_2141_ = lt_bvh_Hit();
+                                                            phi_2144_ = u32();
+                                                        }
+                                                        let _e2647 = phi_2141_;
+                                                        let _e2649 = phi_2144_;
+                                                        continue;
+                                                        continuing {
+                                                            phi_2140_ = _e2647;
+                                                            phi_2143_ = _e2649;
+                                                            break if !(_e1529);
+                                                        }
+                                                    }
+                                                    let _e3824 = local_10;
+                                                    phi_3290_ = _e3824;
+                                                }
+                                                let _e2652 = phi_3290_;
+                                                phi_3291_ = _e2652;
+                                                phi_3292_ = _e1214;
+                                            } else {
+                                                phi_3291_ = lt_bvh_Hit();
+                                                phi_3292_ = true;
+                                            }
+                                            let _e2654 = phi_3291_;
+                                            let _e2656 = phi_3292_;
+                                            if _e2656 {
+                                                phi_3296_ = _e983;
+                                            } else {
+                                                phi_3296_ = _e2654;
+                                            }
+                                            let _e2658 = phi_3296_;
+                                            phi_3297_ = _e2658;
+                                        } else {
+                                            phi_3297_ = _e983;
+                                        }
+                                        let _e2660 = phi_3297_;
+                                        phi_3298_ = _e2660;
+                                    } else {
+                                        phi_3298_ = _e983;
+                                    }
+                                    let _e2662 = phi_3298_;
+                                    phi_3299_ = _e2662;
+                                } else {
+                                    phi_3299_ = _e983;
+                                }
+                                let _e2664 = phi_3299_;
+                                phi_1515_ = (_e981 & (_e981 - 1u));
+                                phi_1518_ = _e2664;
+                                phi_3300_ = true;
+                            }
+                            let _e2666 = phi_1515_;
+                            let _e2668 = phi_1518_;
+                            let _e2670 = phi_3300_;
+                            continue;
+                            continuing {
+                                phi_1514_ = _e2666;
+                                phi_1517_ = _e2668;
+                                break if !(_e2670);
+                            }
+                        }
+                        let _e2673 = local_2.group_mask;
+                        if ((_e2673 & 4278190080u) == 0u) {
+                            let _e2677 = local_2.len;
+                            if (_e2677 == 0u) {
+                                phi_3339_ = false;
+                            } else {
+                                let _e2681 = local_2.len;
+                                local_2.len = (_e2681 - 1u);
+                                let _e2684 = local_2.len;
+                                if (_e2684 < 32u) {
+                                } else {
+                                    return;
+                                }
+                                let _e2689 = local_2.first[(0u + _e2684)];
+                                local_2.group = _e2689;
+                                let _e2692 = local_2.len;
+                                if (_e2692 < 32u) {
+                                } else {
+                                    return;
+                                }
+                                let _e2697 = local_2.mask[(0u + _e2692)];
+                                local_2.group_mask = _e2697;
+                                phi_3339_ = true;
+                            }
+                            let _e2700 = phi_3339_;
+                            phi_3340_ = _e2700;
+                        } else {
+                            phi_3340_ = true;
+                        }
+                        let _e2702 = phi_3340_;
+                        if _e2702 {
+                            let _e2704 = local_2.group_mask;
+                            let _e2710 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2704)), 32u, (_e2704 == 0u)));
+                            let _e2714 = local_2.group_mask;
+                            let _e2728 = local_2.group_mask;
+                            local_2.group_mask = (_e2728 & ~((1u << bitcast<u32>((_e2710 & 31u)))));
+                            let _e2731 = local_2.group;
+                            phi_3371_ = (_e2731 + countOneBits(((_e2714 & ~((4294967295u << bitcast<u32>((((_e2710 - 24u) ^ _e400) & 31u))))) & 255u)));
+                        } else {
+                            phi_3371_ = 4294967295u;
+                        }
+                        let _e2734 = phi_3371_;
+                        phi_1178_ = _e2734;
+                        let _e3840 = local_11;
+                        phi_1181_ = _e3840;
+                    } else {
+                        phi_1178_ = u32();
+                        phi_1181_ = lt_bvh_Hit();
+                    }
+                    let _e2736 = phi_1178_;
+                    let _e2738 = phi_1181_;
+                    continue;
+                    continuing {
+                        phi_1177_ = _e2736;
+                        phi_1180_ = _e2738;
+                        break if !(_e541);
+                    }
+                }
+                let _e3843 = local_12;
+                phi_3372_ = _e3843;
+            }
+            let _e2741 = phi_3372_;
+            phi_3373_ = _e2741;
+            phi_3374_ = _e237;
+        } else {
+            phi_3373_ = lt_bvh_Hit();
+            phi_3374_ = true;
+        }
+        let _e2743 = phi_3373_;
+        let _e2745 = phi_3374_;
+        if _e2745 {
+            phi_3378_ = _e167;
+        } else {
+            phi_3378_ = _e2743;
+        }
+        let _e2747 = phi_3378_;
+        if (_e2747.triangle != 4294967295u) {
+            let _e2753 = ((1f - _e2747.u) - _e2747.v);
+            if (_e2747.triangle < _e81) {
+            } else {
+                return;
+            }
+            let _e2759 = triangles.member[(0u + _e2747.triangle)];
+            if (_e2747.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e2770 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
+            let _e2781 = ((((_e2770.x * _e2759.v0_.x) + (_e2770.y * _e2759.v0_.y)) + (_e2770.z * _e2759.v0_.z)) + (_e2770.w * 1f));
+            let _e2783 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
+            let _e2794 = ((((_e2783.x * _e2759.v0_.x) + (_e2783.y * _e2759.v0_.y)) + (_e2783.z * _e2759.v0_.z)) + (_e2783.w * 1f));
+            let _e2796 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
+            let _e2807 = ((((_e2796.x * _e2759.v0_.x) + (_e2796.y * _e2759.v0_.y)) + (_e2796.z * _e2759.v0_.z)) + (_e2796.w * 1f));
+            let _e2814 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
+            let _e2825 = ((((_e2814.x * _e2759.v1_.x) + (_e2814.y * _e2759.v1_.y)) + (_e2814.z * _e2759.v1_.z)) + (_e2814.w * 1f));
+            let _e2827 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
+            let _e2838 = ((((_e2827.x * _e2759.v1_.x) + (_e2827.y * _e2759.v1_.y)) + (_e2827.z * _e2759.v1_.z)) + (_e2827.w * 1f));
+            let _e2840 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
+            let _e2851 = ((((_e2840.x * _e2759.v1_.x) + (_e2840.y * _e2759.v1_.y)) + (_e2840.z * _e2759.v1_.z)) + (_e2840.w * 1f));
+            let _e2858 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
+            let _e2869 = ((((_e2858.x * _e2759.v2_.x) + (_e2858.y * _e2759.v2_.y)) + (_e2858.z * _e2759.v2_.z)) + (_e2858.w * 1f));
+            let _e2871 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
+            let _e2882 = ((((_e2871.x * _e2759.v2_.x) + (_e2871.y * _e2759.v2_.y)) + (_e2871.z * _e2759.v2_.z)) + (_e2871.w * 1f));
+            let _e2884 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
+            let _e2895 = ((((_e2884.x * _e2759.v2_.x) + (_e2884.y * _e2759.v2_.y)) + (_e2884.z * _e2759.v2_.z)) + (_e2884.w * 1f));
+            let _e2908 = (((_e2781 * _e2753) + (_e2825 * _e2747.u)) + (_e2869 * _e2747.v));
+            let _e2909 = (((_e2794 * _e2753) + (_e2838 * _e2747.u)) + (_e2882 * _e2747.v));
+            let _e2910 = (((_e2807 * _e2753) + (_e2851 * _e2747.u)) + (_e2895 * _e2747.v));
+            let _e2912 = abs(_e2781);
+            let _e2913 = abs(_e2794);
+            let _e2914 = abs(_e2807);
+            let _e2915 = abs(_e2825);
+            let _e2916 = abs(_e2838);
+            let _e2917 = abs(_e2851);
+            if (_e2912 > _e2915) {
+                phi_3566_ = _e2912;
+            } else {
+                phi_3566_ = _e2915;
+            }
+            let _e2920 = phi_3566_;
+            if (_e2913 > _e2916) {
+                phi_3571_ = _e2913;
+            } else {
+                phi_3571_ = _e2916;
+            }
+            let _e2923 = phi_3571_;
+            if (_e2914 > _e2917) {
+                phi_3576_ = _e2914;
+            } else {
+                phi_3576_ = _e2917;
+            }
+            let _e2926 = phi_3576_;
+            let _e2927 = abs(_e2869);
+            let _e2928 = abs(_e2882);
+            let _e2929 = abs(_e2895);
+            if (_e2920 > _e2927) {
+                phi_3584_ = _e2920;
+            } else {
+                phi_3584_ = _e2927;
+            }
+            let _e2932 = phi_3584_;
+            if (_e2923 > _e2928) {
+                phi_3589_ = _e2923;
+            } else {
+                phi_3589_ = _e2928;
+            }
+            let _e2935 = phi_3589_;
+            if (_e2926 > _e2929) {
+                phi_3594_ = _e2926;
+            } else {
+                phi_3594_ = _e2929;
+            }
+            let _e2938 = phi_3594_;
+            let _e2939 = (_e2825 - _e2781);
+            let _e2940 = (_e2838 - _e2794);
+            let _e2941 = (_e2851 - _e2807);
+            let _e2942 = (_e2869 - _e2781);
+            let _e2943 = (_e2882 - _e2794);
+            let _e2944 = (_e2895 - _e2807);
+            let _e2948 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2940), abs(_e2941));
+            let _e2949 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2939), _e2948);
+            let _e2950 = (_e2939 / _e2949);
+            let _e2951 = (_e2940 / _e2949);
+            let _e2952 = (_e2941 / _e2949);
+            let _e2956 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2943), abs(_e2944));
+            let _e2957 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2942), _e2956);
+            let _e2958 = (_e2942 / _e2957);
+            let _e2959 = (_e2943 / _e2957);
+            let _e2960 = (_e2944 / _e2957);
+            let _e2963 = ((_e2951 * _e2960) - (_e2959 * _e2952));
+            let _e2966 = ((_e2952 * _e2958) - (_e2960 * _e2950));
+            let _e2969 = ((_e2950 * _e2959) - (_e2958 * _e2951));
+            let _e2971 = p.member.eye;
+            let _e2984 = (1f / sqrt((((_e2963 * _e2963) + (_e2966 * _e2966)) + (_e2969 * _e2969))));
+            let _e2985 = (_e2963 * _e2984);
+            let _e2986 = (_e2966 * _e2984);
+            let _e2987 = (_e2969 * _e2984);
+            if ((((_e2985 * (_e2971.x - _e2908)) + (_e2986 * (_e2971.y - _e2909))) + (_e2987 * (_e2971.z - _e2910))) < 0f) {
+                phi_3658_ = vec3<f32>(-(_e2985), -(_e2986), -(_e2987));
+            } else {
+                phi_3658_ = vec3<f32>(_e2985, _e2986, _e2987);
+            }
+            let _e3000 = phi_3658_;
+            if (_e2747.triangle < _e81) {
+            } else {
+                return;
+            }
+            let _e3005 = triangles.member[(0u + _e2747.triangle)];
+            let _e3007 = (_e3005.i0_ & 2147483647u);
+            if (_e3007 < _e84) {
+            } else {
+                return;
+            }
+            let _e3013 = vertices.member[(0u + _e3007)];
+            if (_e3005.i1_ < _e84) {
+            } else {
+                return;
+            }
+            let _e3017 = vertices.member[(0u + _e3005.i1_)];
+            if (_e3005.i2_ < _e84) {
+            } else {
+                return;
+            }
+            let _e3021 = vertices.member[(0u + _e3005.i2_)];
+            let _e3022 = array<abi_Vertex, 3>(_e3013, _e3017, _e3021);
+            if (_e3022[0].material < _e87) {
+            } else {
+                return;
+            }
+            let _e3028 = materials.member[(0u + _e3022[0].material)];
+            let _e3045 = (1f / 255f);
+            let _e3064 = (1f / 255f);
+            let _e3086 = (1f / 255f);
+            let _e3099 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2753, _e2747.u, _e2747.v));
+            let _e3101 = ((_e3028.base_color.x * ((((f32((_e3022[0].color & 255u)) * _e3045) * _e2753) + ((f32((_e3022[1].color & 255u)) * _e3064) * _e2747.u)) + ((f32((_e3022[2].color & 255u)) * _e3086) * _e2747.v))) * _e3099.x);
+            let _e3103 = ((_e3028.base_color.y * ((((f32(((_e3022[0].color >> bitcast<u32>(8i)) & 255u)) * _e3045) * _e2753) + ((f32(((_e3022[1].color >> bitcast<u32>(8i)) & 255u)) * _e3064) * _e2747.u)) + ((f32(((_e3022[2].color >> bitcast<u32>(8i)) & 255u)) * _e3086) * _e2747.v))) * _e3099.y);
+            let _e3105 = ((_e3028.base_color.z * ((((f32(((_e3022[0].color >> bitcast<u32>(16i)) & 255u)) * _e3045) * _e2753) + ((f32(((_e3022[1].color >> bitcast<u32>(16i)) & 255u)) * _e3064) * _e2747.u)) + ((f32(((_e3022[2].color >> bitcast<u32>(16i)) & 255u)) * _e3086) * _e2747.v))) * _e3099.z);
+            let _e3106 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2935, _e2938);
+            let _e3107 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2932, _e3106);
+            if ((_e3028.flags & 2u) == 0u) {
+                phi_3779_ = 0u;
+            } else {
+                phi_3779_ = 1u;
+            }
+            let _e3112 = phi_3779_;
+            if (_e3022[0].normal == 2147516416u) {
+                phi_4009_ = _e3000;
+            } else {
+                let _e3125 = (f32((bitcast<i32>((_e3022[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3131 = (f32((bitcast<i32>(_e3022[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3135 = ((1f - abs(_e3125)) - abs(_e3131));
+                if (_e3135 < 0f) {
+                    phi_3806_ = -(_e3135);
+                } else {
+                    phi_3806_ = 0f;
+                }
+                let _e3139 = phi_3806_;
+                if (_e3125 < 0f) {
+                    phi_3813_ = (_e3125 + _e3139);
+                } else {
+                    phi_3813_ = (_e3125 - _e3139);
+                }
+                let _e3144 = phi_3813_;
+                if (_e3131 < 0f) {
+                    phi_3820_ = (_e3131 + _e3139);
+                } else {
+                    phi_3820_ = (_e3131 - _e3139);
+                }
+                let _e3149 = phi_3820_;
+                let _e3156 = (1f / sqrt((((_e3144 * _e3144) + (_e3149 * _e3149)) + (_e3135 * _e3135))));
+                let _e3172 = (f32((bitcast<i32>((_e3022[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3178 = (f32((bitcast<i32>(_e3022[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3182 = ((1f - abs(_e3172)) - abs(_e3178));
+                if (_e3182 < 0f) {
+                    phi_3855_ = -(_e3182);
+                } else {
+                    phi_3855_ = 0f;
+                }
+                let _e3186 = phi_3855_;
+                if (_e3172 < 0f) {
+                    phi_3862_ = (_e3172 + _e3186);
+                } else {
+                    phi_3862_ = (_e3172 - _e3186);
+                }
+                let _e3191 = phi_3862_;
+                if (_e3178 < 0f) {
+                    phi_3869_ = (_e3178 + _e3186);
+                } else {
+                    phi_3869_ = (_e3178 - _e3186);
+                }
+                let _e3196 = phi_3869_;
+                let _e3203 = (1f / sqrt((((_e3191 * _e3191) + (_e3196 * _e3196)) + (_e3182 * _e3182))));
+                let _e3222 = (f32((bitcast<i32>((_e3022[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3228 = (f32((bitcast<i32>(_e3022[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3232 = ((1f - abs(_e3222)) - abs(_e3228));
+                if (_e3232 < 0f) {
+                    phi_3907_ = -(_e3232);
+                } else {
+                    phi_3907_ = 0f;
+                }
+                let _e3236 = phi_3907_;
+                if (_e3222 < 0f) {
+                    phi_3914_ = (_e3222 + _e3236);
+                } else {
+                    phi_3914_ = (_e3222 - _e3236);
+                }
+                let _e3241 = phi_3914_;
+                if (_e3228 < 0f) {
+                    phi_3921_ = (_e3228 + _e3236);
+                } else {
+                    phi_3921_ = (_e3228 - _e3236);
+                }
+                let _e3246 = phi_3921_;
+                let _e3253 = (1f / sqrt((((_e3241 * _e3241) + (_e3246 * _e3246)) + (_e3232 * _e3232))));
+                let _e3260 = ((((_e3144 * _e3156) * _e2753) + ((_e3191 * _e3203) * _e2747.u)) + ((_e3241 * _e3253) * _e2747.v));
+                let _e3261 = ((((_e3149 * _e3156) * _e2753) + ((_e3196 * _e3203) * _e2747.u)) + ((_e3246 * _e3253) * _e2747.v));
+                let _e3262 = ((((_e3135 * _e3156) * _e2753) + ((_e3182 * _e3203) * _e2747.u)) + ((_e3232 * _e3253) * _e2747.v));
+                if (_e2747.instance < _e93) {
+                } else {
+                    return;
+                }
+                let _e3269 = instances.member[(0u + _e2747.instance)].world_to_object[0u];
+                let _e3278 = instances.member[(0u + _e2747.instance)].world_to_object[1u];
+                let _e3290 = instances.member[(0u + _e2747.instance)].world_to_object[2u];
+                let _e3297 = (((_e3269.x * _e3260) + (_e3278.x * _e3261)) + (_e3290.x * _e3262));
+                let _e3298 = (((_e3269.y * _e3260) + (_e3278.y * _e3261)) + (_e3290.y * _e3262));
+                let _e3299 = (((_e3269.z * _e3260) + (_e3278.z * _e3261)) + (_e3290.z * _e3262));
+                let _e3305 = sqrt((((_e3297 * _e3297) + (_e3298 * _e3298)) + (_e3299 * _e3299)));
+                if (_e3305 > 0f) {
+                    let _e3307 = (_e3297 / _e3305);
+                    let _e3308 = (_e3298 / _e3305);
+                    let _e3309 = (_e3299 / _e3305);
+                    if ((((_e3307 * _e3000.x) + (_e3308 * _e3000.y)) + (_e3309 * _e3000.z)) < 0f) {
+                        phi_4007_ = vec3<f32>(-(_e3307), -(_e3308), -(_e3309));
+                    } else {
+                        phi_4007_ = vec3<f32>(_e3307, _e3308, _e3309);
+                    }
+                    let _e3325 = phi_4007_;
+                    phi_4008_ = _e3325;
+                } else {
+                    phi_4008_ = _e3000;
+                }
+                let _e3327 = phi_4008_;
+                phi_4009_ = _e3327;
+            }
+            let _e3329 = phi_4009_;
+            if (_e3101 > 0f) {
+                if (_e3101 < 1f) {
+                    phi_4018_ = _e3101;
+                } else {
+                    phi_4018_ = 1f;
+                }
+                let _e3333 = phi_4018_;
+                phi_4019_ = _e3333;
+            } else {
+                phi_4019_ = 0f;
+            }
+            let _e3335 = phi_4019_;
+            if (_e3103 > 0f) {
+                if (_e3103 < 1f) {
+                    phi_4029_ = _e3103;
+                } else {
+                    phi_4029_ = 1f;
+                }
+                let _e3340 = phi_4029_;
+                phi_4030_ = _e3340;
+            } else {
+                phi_4030_ = 0f;
+            }
+            let _e3342 = phi_4030_;
+            if (_e3105 > 0f) {
+                if (_e3105 < 1f) {
+                    phi_4040_ = _e3105;
+                } else {
+                    phi_4040_ = 1f;
+                }
+                let _e3347 = phi_4040_;
+                phi_4041_ = _e3347;
+            } else {
+                phi_4041_ = 0f;
+            }
+            let _e3349 = phi_4041_;
+            let _e3352 = ((sqrt(_e3335) * 255f) + 0.5f);
+            let _e3361 = ((sqrt(_e3342) * 255f) + 0.5f);
+            let _e3373 = ((sqrt(_e3349) * 255f) + 0.5f);
+            phi_4076_ = abi_Sample(vec3<f32>(_e2908, _e2909, _e2910), _e3107, _e3000, _e3112, _e3329, ((select(select(u32(_e3352), 0u, (_e3352 < bitcast<f32>(0u))), 4294967295u, (_e3352 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3361), 0u, (_e3361 < bitcast<f32>(0u))), 4294967295u, (_e3361 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3373), 0u, (_e3373 < bitcast<f32>(0u))), 4294967295u, (_e3373 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+        } else {
+            phi_4076_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+        }
+        let _e3387 = phi_4076_;
+        if (_e108.first_primitive < arrayLength((&samples.member))) {
+        } else {
+            return;
+        }
+        samples.member[(0u + _e108.first_primitive)] = _e3387;
+        if (_e2747.triangle != 4294967295u) {
+            let _e3396 = ((1f - _e2747.u) - _e2747.v);
+            if (_e2747.triangle < _e81) {
+            } else {
+                return;
+            }
+            let _e3401 = triangles.member[(0u + _e2747.triangle)];
+            if (_e3401.i0_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3406 = before.member[(0u + _e3401.i0_)];
+            if (_e3401.i1_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3411 = before.member[(0u + _e3401.i1_)];
+            if (_e3401.i2_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3416 = before.member[(0u + _e3401.i2_)];
+            if (_e2747.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3426 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
+            let _e3439 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
+            let _e3452 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
+            if (_e2747.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3476 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
+            let _e3489 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
+            let _e3502 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
+            if (_e2747.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3529 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
+            let _e3542 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
+            let _e3555 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
+            phi_4298_ = vec3<f32>((((((((_e3426.x * _e3406.x) + (_e3426.y * _e3406.y)) + (_e3426.z * _e3406.z)) + (_e3426.w * 1f)) * _e3396) + (((((_e3476.x * _e3411.x) + (_e3476.y * _e3411.y)) + (_e3476.z * _e3411.z)) + (_e3476.w * 1f)) * _e2747.u)) + (((((_e3529.x * _e3416.x) + (_e3529.y * _e3416.y)) + (_e3529.z * _e3416.z)) + (_e3529.w * 1f)) * _e2747.v)), (((((((_e3439.x * _e3406.x) + (_e3439.y * _e3406.y)) + (_e3439.z * _e3406.z)) + (_e3439.w * 1f)) * _e3396) + (((((_e3489.x * _e3411.x) + (_e3489.y * _e3411.y)) + (_e3489.z * _e3411.z)) + (_e3489.w * 1f)) * _e2747.u)) + (((((_e3542.x * _e3416.x) + (_e3542.y * _e3416.y)) + (_e3542.z * _e3416.z)) + (_e3542.w * 1f)) * _e2747.v)), (((((((_e3452.x * _e3406.x) + (_e3452.y * _e3406.y)) + (_e3452.z * _e3406.z)) + (_e3452.w * 1f)) * _e3396) + (((((_e3502.x * _e3411.x) + (_e3502.y * _e3411.y)) + (_e3502.z * _e3411.z)) + (_e3502.w * 1f)) * _e2747.u)) + (((((_e3555.x * _e3416.x) + (_e3555.y * _e3416.y)) + (_e3555.z * _e3416.z)) + (_e3555.w * 1f)) * _e2747.v)));
+        } else {
+            phi_4298_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e3575 = phi_4298_;
+        if (_e108.first_primitive < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3575.x, _e3575.y, _e3575.z, 1f);
+    }
+    return;
+}
+
+@compute @workgroup_size(8, 8, 1) 
+fn entry_camera_camera_instanced_alpha_motion_cs(@builtin(global_invocation_id) id: vec3<u32>) {
+    id_1 = id;
+    function_();
+}

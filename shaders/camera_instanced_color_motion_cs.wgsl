@@ -1,0 +1,3082 @@
+struct abi_CameraParams {
+    eye: vec3<f32>,
+    root: u32,
+    right: vec3<f32>,
+    pad0_: u32,
+    up: vec3<f32>,
+    pad1_: u32,
+    forward: vec3<f32>,
+    pad2_: u32,
+    size: vec2<u32>,
+    pad3_: vec2<u32>,
+}
+
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
+struct type_26 {
+    member: array<vec4<f32>>,
+}
+
+struct texture_TextureView {
+    offset: u32,
+    size: u32,
+    flags: u32,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_32 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_36 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    pad: vec2<u32>,
+}
+
+struct type_40 {
+    member: array<abi_Material>,
+}
+
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
+}
+
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
+}
+
+struct lt_bvh_Instance {
+    world_to_object: array<vec4<f32>, 3>,
+    object_to_world: array<vec4<f32>, 3>,
+    low_world: vec3<f32>,
+    root: u32,
+    high_world: vec3<f32>,
+    first_triangle: u32,
+    source: u32,
+    padding: array<u32, 3>,
+}
+
+struct type_51 {
+    member: array<lt_bvh_Instance>,
+}
+
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct type_57 {
+    member: abi_CameraParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_62 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Ray {
+    origin: vec3<f32>,
+    tmin: f32,
+    direction: vec3<f32>,
+    tmax: f32,
+}
+
+struct lt_bvh_Hit {
+    t: f32,
+    u: f32,
+    v: f32,
+    triangle: u32,
+    instance: u32,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_36;
+@group(0) @binding(4) 
+var<storage> materials: type_40;
+@group(0) @binding(0) 
+var<uniform> p: type_57;
+@group(0) @binding(1) 
+var<storage> nodes: type_62;
+@group(0) @binding(2) 
+var<storage> triangles: type_32;
+@group(0) @binding(5) 
+var<storage, read_write> samples: type_9;
+@group(0) @binding(6) 
+var<storage> instances: type_51;
+@group(0) @binding(7) 
+var<storage> color_texels: type_13;
+@group(0) @binding(8) 
+var<storage> before: type_26;
+@group(0) @binding(9) 
+var<storage, read_write> past: type_26;
+
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_222_: lt_bvh_traverse_Tree;
+    var phi_223_: bool;
+    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_225_: bool;
+    var phi_230_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_222_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_223_ = false;
+        } else {
+            phi_222_ = lt_bvh_traverse_Tree();
+            phi_223_ = true;
+        }
+        let _e84 = phi_222_;
+        let _e86 = phi_223_;
+        phi_224_ = _e84;
+        phi_225_ = _e86;
+    } else {
+        phi_224_ = lt_bvh_traverse_Tree();
+        phi_225_ = true;
+    }
+    let _e88 = phi_224_;
+    let _e90 = phi_225_;
+    if _e90 {
+        phi_230_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_230_ = _e88;
+    }
+    let _e95 = phi_230_;
+    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
+    var phi_275_: f32;
+    var phi_280_: f32;
+    var phi_281_: bool;
+    var phi_282_: f32;
+    var phi_283_: bool;
+    var phi_287_: f32;
+    var phi_313_: f32;
+    var phi_318_: f32;
+    var phi_319_: bool;
+    var phi_320_: f32;
+    var phi_321_: bool;
+    var phi_325_: f32;
+    var phi_333_: f32;
+    var phi_334_: f32;
+    var phi_335_: f32;
+    var phi_344_: f32;
+    var phi_345_: f32;
+    var phi_363_: u32;
+    var phi_377_: u32;
+    var phi_384_: u32;
+    var phi_389_: u32;
+    var phi_395_: u32;
+    var phi_400_: u32;
+    var phi_402_: texture_Axis;
+    var phi_430_: f32;
+    var phi_435_: f32;
+    var phi_436_: bool;
+    var phi_437_: f32;
+    var phi_438_: bool;
+    var phi_442_: f32;
+    var phi_468_: f32;
+    var phi_473_: f32;
+    var phi_474_: bool;
+    var phi_475_: f32;
+    var phi_476_: bool;
+    var phi_480_: f32;
+    var phi_488_: f32;
+    var phi_489_: f32;
+    var phi_490_: f32;
+    var phi_499_: f32;
+    var phi_500_: f32;
+    var phi_518_: u32;
+    var phi_532_: u32;
+    var phi_539_: u32;
+    var phi_544_: u32;
+    var phi_550_: u32;
+    var phi_555_: u32;
+    var phi_557_: texture_Axis;
+
+    let _e75 = (*param_3).size;
+    let _e76 = (_e75 & 65535u);
+    let _e78 = (*param_3).size;
+    let _e80 = (_e78 >> bitcast<u32>(16i));
+    let _e82 = (*param_3).flags;
+    let _e84 = ((_e82 & 4u) != 0u);
+    let _e86 = (*param_3).flags;
+    let _e89 = ((_e86 >> bitcast<u32>(4u)) & 3u);
+    if (_e89 == 0u) {
+        if (param_4 > -8388608f) {
+            let _e102 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
+            if (_e102 > param_4) {
+                phi_275_ = 1f;
+            } else {
+                phi_275_ = 0f;
+            }
+            let _e105 = phi_275_;
+            if (param_4 < 8388608f) {
+                phi_280_ = (_e102 - _e105);
+                phi_281_ = false;
+            } else {
+                phi_280_ = f32();
+                phi_281_ = true;
+            }
+            let _e108 = phi_280_;
+            let _e110 = phi_281_;
+            phi_282_ = _e108;
+            phi_283_ = _e110;
+        } else {
+            phi_282_ = f32();
+            phi_283_ = true;
+        }
+        let _e112 = phi_282_;
+        let _e114 = phi_283_;
+        if _e114 {
+            phi_287_ = param_4;
+        } else {
+            phi_287_ = _e112;
+        }
+        let _e116 = phi_287_;
+        phi_335_ = (param_4 - _e116);
+    } else {
+        if (_e89 == 1u) {
+            let _e119 = (param_4 * 0.5f);
+            if (_e119 > -8388608f) {
+                let _e131 = f32(select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < bitcast<f32>(3472883712u))), 2147483647i, (_e119 > bitcast<f32>(1325400063u))), (_e119 == _e119)));
+                if (_e131 > _e119) {
+                    phi_313_ = 1f;
+                } else {
+                    phi_313_ = 0f;
+                }
+                let _e134 = phi_313_;
+                if (_e119 < 8388608f) {
+                    phi_318_ = (_e131 - _e134);
+                    phi_319_ = false;
+                } else {
+                    phi_318_ = f32();
+                    phi_319_ = true;
+                }
+                let _e137 = phi_318_;
+                let _e139 = phi_319_;
+                phi_320_ = _e137;
+                phi_321_ = _e139;
+            } else {
+                phi_320_ = f32();
+                phi_321_ = true;
+            }
+            let _e141 = phi_320_;
+            let _e143 = phi_321_;
+            if _e143 {
+                phi_325_ = _e119;
+            } else {
+                phi_325_ = _e141;
+            }
+            let _e145 = phi_325_;
+            let _e147 = (param_4 - (2f * _e145));
+            if (_e147 > 1f) {
+                phi_333_ = (2f - _e147);
+            } else {
+                phi_333_ = _e147;
+            }
+            let _e151 = phi_333_;
+            phi_334_ = _e151;
+        } else {
+            phi_334_ = param_4;
+        }
+        let _e153 = phi_334_;
+        phi_335_ = _e153;
+    }
+    let _e155 = phi_335_;
+    if (_e155 > 0f) {
+        if (_e155 < 1f) {
+            phi_344_ = _e155;
+        } else {
+            phi_344_ = 1f;
+        }
+        let _e159 = phi_344_;
+        phi_345_ = _e159;
+    } else {
+        phi_345_ = 0f;
+    }
+    let _e161 = phi_345_;
+    let _e162 = (_e76 - 1u);
+    let _e164 = (_e161 * f32(_e76));
+    if _e84 {
+        let _e171 = select(select(u32(_e164), 0u, (_e164 < bitcast<f32>(0u))), 4294967295u, (_e164 > bitcast<f32>(1333788671u)));
+        if (_e162 < _e171) {
+            phi_363_ = _e162;
+        } else {
+            phi_363_ = _e171;
+        }
+        let _e174 = phi_363_;
+        phi_402_ = texture_Axis(_e174, _e174, 0f);
+    } else {
+        let _e176 = (_e164 + 0.5f);
+        let _e183 = select(select(u32(_e176), 0u, (_e176 < bitcast<f32>(0u))), 4294967295u, (_e176 > bitcast<f32>(1333788671u)));
+        if (_e76 < _e183) {
+            phi_377_ = _e76;
+        } else {
+            phi_377_ = _e183;
+        }
+        let _e186 = phi_377_;
+        if (_e89 == 0u) {
+            phi_384_ = _e162;
+        } else {
+            phi_384_ = 0u;
+        }
+        let _e191 = phi_384_;
+        if (_e89 == 0u) {
+            phi_389_ = 0u;
+        } else {
+            phi_389_ = _e162;
+        }
+        let _e194 = phi_389_;
+        if (_e186 == 0u) {
+            phi_395_ = _e191;
+        } else {
+            phi_395_ = (_e186 - 1u);
+        }
+        let _e198 = phi_395_;
+        if (_e186 > _e162) {
+            phi_400_ = _e194;
+        } else {
+            phi_400_ = _e186;
+        }
+        let _e201 = phi_400_;
+        phi_402_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
+    }
+    let _e204 = phi_402_;
+    let _e206 = (*param_3).flags;
+    let _e209 = ((_e206 >> bitcast<u32>(6u)) & 3u);
+    if (_e209 == 0u) {
+        if (param_5 > -8388608f) {
+            let _e222 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e222 > param_5) {
+                phi_430_ = 1f;
+            } else {
+                phi_430_ = 0f;
+            }
+            let _e225 = phi_430_;
+            if (param_5 < 8388608f) {
+                phi_435_ = (_e222 - _e225);
+                phi_436_ = false;
+            } else {
+                phi_435_ = f32();
+                phi_436_ = true;
+            }
+            let _e228 = phi_435_;
+            let _e230 = phi_436_;
+            phi_437_ = _e228;
+            phi_438_ = _e230;
+        } else {
+            phi_437_ = f32();
+            phi_438_ = true;
+        }
+        let _e232 = phi_437_;
+        let _e234 = phi_438_;
+        if _e234 {
+            phi_442_ = param_5;
+        } else {
+            phi_442_ = _e232;
+        }
+        let _e236 = phi_442_;
+        phi_490_ = (param_5 - _e236);
+    } else {
+        if (_e209 == 1u) {
+            let _e239 = (param_5 * 0.5f);
+            if (_e239 > -8388608f) {
+                let _e251 = f32(select(0i, select(select(i32(_e239), i32(-2147483648), (_e239 < bitcast<f32>(3472883712u))), 2147483647i, (_e239 > bitcast<f32>(1325400063u))), (_e239 == _e239)));
+                if (_e251 > _e239) {
+                    phi_468_ = 1f;
+                } else {
+                    phi_468_ = 0f;
+                }
+                let _e254 = phi_468_;
+                if (_e239 < 8388608f) {
+                    phi_473_ = (_e251 - _e254);
+                    phi_474_ = false;
+                } else {
+                    phi_473_ = f32();
+                    phi_474_ = true;
+                }
+                let _e257 = phi_473_;
+                let _e259 = phi_474_;
+                phi_475_ = _e257;
+                phi_476_ = _e259;
+            } else {
+                phi_475_ = f32();
+                phi_476_ = true;
+            }
+            let _e261 = phi_475_;
+            let _e263 = phi_476_;
+            if _e263 {
+                phi_480_ = _e239;
+            } else {
+                phi_480_ = _e261;
+            }
+            let _e265 = phi_480_;
+            let _e267 = (param_5 - (2f * _e265));
+            if (_e267 > 1f) {
+                phi_488_ = (2f - _e267);
+            } else {
+                phi_488_ = _e267;
+            }
+            let _e271 = phi_488_;
+            phi_489_ = _e271;
+        } else {
+            phi_489_ = param_5;
+        }
+        let _e273 = phi_489_;
+        phi_490_ = _e273;
+    }
+    let _e275 = phi_490_;
+    if (_e275 > 0f) {
+        if (_e275 < 1f) {
+            phi_499_ = _e275;
+        } else {
+            phi_499_ = 1f;
+        }
+        let _e279 = phi_499_;
+        phi_500_ = _e279;
+    } else {
+        phi_500_ = 0f;
+    }
+    let _e281 = phi_500_;
+    let _e282 = (_e80 - 1u);
+    let _e284 = (_e281 * f32(_e80));
+    if _e84 {
+        let _e291 = select(select(u32(_e284), 0u, (_e284 < bitcast<f32>(0u))), 4294967295u, (_e284 > bitcast<f32>(1333788671u)));
+        if (_e282 < _e291) {
+            phi_518_ = _e282;
+        } else {
+            phi_518_ = _e291;
+        }
+        let _e294 = phi_518_;
+        phi_557_ = texture_Axis(_e294, _e294, 0f);
+    } else {
+        let _e296 = (_e284 + 0.5f);
+        let _e303 = select(select(u32(_e296), 0u, (_e296 < bitcast<f32>(0u))), 4294967295u, (_e296 > bitcast<f32>(1333788671u)));
+        if (_e80 < _e303) {
+            phi_532_ = _e80;
+        } else {
+            phi_532_ = _e303;
+        }
+        let _e306 = phi_532_;
+        if (_e209 == 0u) {
+            phi_539_ = _e282;
+        } else {
+            phi_539_ = 0u;
+        }
+        let _e311 = phi_539_;
+        if (_e209 == 0u) {
+            phi_544_ = 0u;
+        } else {
+            phi_544_ = _e282;
+        }
+        let _e314 = phi_544_;
+        if (_e306 == 0u) {
+            phi_550_ = _e311;
+        } else {
+            phi_550_ = (_e306 - 1u);
+        }
+        let _e318 = phi_550_;
+        if (_e306 > _e282) {
+            phi_555_ = _e314;
+        } else {
+            phi_555_ = _e306;
+        }
+        let _e321 = phi_555_;
+        phi_557_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
+    }
+    let _e324 = phi_557_;
+    let _e328 = (*param_3).offset;
+    let _e335 = (*param_3).offset;
+    let _e342 = (*param_3).offset;
+    let _e349 = (*param_3).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e328 + (_e324.low * _e76)) + _e204.low), ((_e335 + (_e324.low * _e76)) + _e204.high), ((_e342 + (_e324.high * _e76)) + _e204.low), ((_e349 + (_e324.high * _e76)) + _e204.high)), vec4<f32>(((1f - _e204.fraction) * (1f - _e324.fraction)), (_e204.fraction * (1f - _e324.fraction)), ((1f - _e204.fraction) * _e324.fraction), (_e204.fraction * _e324.fraction)));
+}
+
+fn _lt_bvh_ray_Ray_new(param_6: vec3<f32>, param_7: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_6, 0f, param_7, 300000000000000000000000000000000000000f);
+}
+
+fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
+    var phi_620_: bool;
+    var phi_624_: f32;
+
+    if (param_8 != param_8) {
+        phi_620_ = true;
+    } else {
+        let _e74 = (param_9 >= param_8);
+        if _e74 {
+        }
+        phi_620_ = _e74;
+    }
+    let _e76 = phi_620_;
+    if _e76 {
+        phi_624_ = param_9;
+    } else {
+        phi_624_ = param_8;
+    }
+    let _e78 = phi_624_;
+    return _e78;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
+    var phi_636_: bool;
+    var phi_640_: f32;
+
+    if (param_10 != param_10) {
+        phi_636_ = true;
+    } else {
+        let _e74 = (param_11 <= param_10);
+        if _e74 {
+        }
+        phi_636_ = _e74;
+    }
+    let _e76 = phi_636_;
+    if _e76 {
+        phi_640_ = param_11;
+    } else {
+        phi_640_ = param_10;
+    }
+    let _e78 = phi_640_;
+    return _e78;
+}
+
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
+    var phi_648_: f32;
+
+    if (param_12 > param_13) {
+        phi_648_ = param_12;
+    } else {
+        phi_648_ = param_13;
+    }
+    let _e75 = phi_648_;
+    return _e75;
+}
+
+fn function_() {
+    var local: texture_TextureView;
+    var local_1: lt_bvh_traverse_Stack;
+    var local_2: lt_bvh_traverse_Stack;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_809_: bool;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: bool;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: bool;
+    var phi_828_: bool;
+    var phi_832_: bool;
+    var phi_907_: f32;
+    var phi_914_: f32;
+    var phi_922_: f32;
+    var phi_929_: f32;
+    var phi_937_: f32;
+    var phi_944_: f32;
+    var phi_969_: f32;
+    var phi_974_: f32;
+    var phi_979_: f32;
+    var phi_1001_: u32;
+    var phi_1006_: u32;
+    var phi_1011_: u32;
+    var phi_1125_: bool;
+    var phi_1126_: bool;
+    var phi_1157_: u32;
+    var phi_1159_: u32;
+    var phi_1162_: lt_bvh_Hit;
+    var phi_1247_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1274_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1301_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1307_: u32;
+    var phi_1310_: u32;
+    var phi_1324_: u32;
+    var phi_1334_: u32;
+    var phi_1344_: u32;
+    var phi_1362_: u32;
+    var phi_1372_: u32;
+    var phi_1382_: u32;
+    var phi_1418_: u32;
+    var phi_1431_: u32;
+    var phi_1436_: u32;
+    var phi_1437_: u32;
+    var phi_1438_: u32;
+    var phi_1308_: u32;
+    var phi_1311_: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: u32;
+    var phi_1496_: u32;
+    var phi_1499_: lt_bvh_Hit;
+    var phi_1554_: f32;
+    var phi_1559_: f32;
+    var phi_1564_: f32;
+    var phi_1572_: f32;
+    var phi_1577_: f32;
+    var phi_1582_: f32;
+    var phi_1738_: bool;
+    var phi_1739_: bool;
+    var phi_1740_: bool;
+    var phi_1744_: bool;
+    var phi_1745_: bool;
+    var phi_1746_: bool;
+    var phi_1747_: bool;
+    var phi_1748_: bool;
+    var phi_1749_: bool;
+    var phi_1750_: bool;
+    var phi_1751_: bool;
+    var phi_1752_: bool;
+    var phi_1753_: bool;
+    var phi_1754_: bool;
+    var phi_1755_: bool;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1758_: bool;
+    var phi_1759_: bool;
+    var phi_1760_: bool;
+    var phi_1761_: bool;
+    var phi_1765_: bool;
+    var phi_1769_: bool;
+    var phi_1839_: f32;
+    var phi_1846_: f32;
+    var phi_1853_: f32;
+    var phi_1860_: f32;
+    var phi_1867_: f32;
+    var phi_1874_: f32;
+    var phi_1891_: f32;
+    var phi_1896_: f32;
+    var phi_1901_: f32;
+    var phi_1929_: bool;
+    var phi_1930_: bool;
+    var phi_1938_: u32;
+    var phi_1939_: u32;
+    var phi_1950_: vec3<f32>;
+    var phi_1951_: vec3<f32>;
+    var phi_1964_: u32;
+    var phi_1969_: u32;
+    var phi_1974_: u32;
+    var phi_2088_: bool;
+    var phi_2089_: bool;
+    var phi_2120_: u32;
+    var phi_2122_: lt_bvh_Hit;
+    var phi_2125_: u32;
+    var phi_2206_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2233_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2260_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2266_: u32;
+    var phi_2269_: u32;
+    var phi_2283_: u32;
+    var phi_2293_: u32;
+    var phi_2303_: u32;
+    var phi_2321_: u32;
+    var phi_2331_: u32;
+    var phi_2341_: u32;
+    var phi_2377_: u32;
+    var phi_2390_: u32;
+    var phi_2395_: u32;
+    var phi_2396_: u32;
+    var phi_2397_: u32;
+    var phi_2267_: u32;
+    var phi_2270_: u32;
+    var local_6: u32;
+    var local_7: u32;
+    var local_8: u32;
+    var phi_2455_: lt_bvh_Hit;
+    var phi_2458_: u32;
+    var phi_2502_: vec3<f32>;
+    var phi_2503_: vec3<f32>;
+    var phi_2534_: vec3<f32>;
+    var phi_2535_: vec3<f32>;
+    var phi_2566_: vec3<f32>;
+    var phi_2567_: vec3<f32>;
+    var phi_2587_: bool;
+    var phi_2588_: bool;
+    var phi_2592_: f32;
+    var phi_2593_: f32;
+    var phi_2594_: f32;
+    var phi_2595_: f32;
+    var phi_2603_: f32;
+    var phi_2613_: bool;
+    var phi_2614_: bool;
+    var phi_2618_: f32;
+    var phi_2619_: f32;
+    var phi_2620_: f32;
+    var phi_2621_: f32;
+    var phi_2629_: f32;
+    var phi_2639_: bool;
+    var phi_2640_: bool;
+    var phi_2644_: f32;
+    var phi_2645_: f32;
+    var phi_2646_: f32;
+    var phi_2647_: f32;
+    var phi_2655_: f32;
+    var phi_2670_: f32;
+    var phi_2671_: bool;
+    var phi_2672_: f32;
+    var phi_2673_: bool;
+    var phi_2674_: f32;
+    var phi_2675_: bool;
+    var phi_2693_: f32;
+    var phi_2694_: bool;
+    var phi_2695_: bool;
+    var phi_2696_: f32;
+    var phi_2697_: bool;
+    var phi_2698_: bool;
+    var phi_2702_: bool;
+    var phi_2703_: f32;
+    var phi_2704_: bool;
+    var phi_2738_: f32;
+    var phi_2747_: f32;
+    var phi_2756_: f32;
+    var phi_2765_: f32;
+    var phi_2772_: f32;
+    var phi_2779_: f32;
+    var phi_2792_: f32;
+    var phi_2801_: f32;
+    var phi_2810_: f32;
+    var phi_2819_: f32;
+    var phi_2826_: f32;
+    var phi_2833_: f32;
+    var phi_2850_: f32;
+    var phi_2855_: f32;
+    var phi_2860_: f32;
+    var phi_2868_: f32;
+    var phi_2873_: f32;
+    var phi_2878_: f32;
+    var phi_2890_: f32;
+    var phi_2895_: f32;
+    var phi_2900_: f32;
+    var phi_2905_: f32;
+    var phi_2910_: lt_bvh_triangle_Intersection;
+    var phi_2911_: bool;
+    var phi_2912_: lt_bvh_triangle_Intersection;
+    var phi_2913_: bool;
+    var phi_2917_: lt_bvh_triangle_Intersection;
+    var phi_2918_: bool;
+    var phi_2919_: lt_bvh_triangle_Intersection;
+    var phi_2920_: bool;
+    var phi_2921_: bool;
+    var phi_2925_: bool;
+    var phi_2929_: lt_bvh_triangle_Intersection;
+    var phi_2967_: bool;
+    var phi_2968_: bool;
+    var phi_2969_: bool;
+    var phi_2970_: bool;
+    var phi_2971_: bool;
+    var phi_2972_: bool;
+    var phi_2976_: bool;
+    var phi_2977_: bool;
+    var phi_2991_: bool;
+    var phi_2999_: lt_bvh_Hit;
+    var phi_3000_: lt_bvh_Hit;
+    var phi_3001_: lt_bvh_Hit;
+    var phi_3002_: lt_bvh_Hit;
+    var phi_2456_: lt_bvh_Hit;
+    var phi_2459_: u32;
+    var phi_3003_: bool;
+    var phi_3042_: bool;
+    var phi_3043_: bool;
+    var phi_3074_: u32;
+    var phi_2123_: lt_bvh_Hit;
+    var phi_2126_: u32;
+    var phi_3075_: lt_bvh_Hit;
+    var phi_3076_: lt_bvh_Hit;
+    var phi_3077_: bool;
+    var phi_3081_: lt_bvh_Hit;
+    var phi_3082_: lt_bvh_Hit;
+    var phi_3083_: lt_bvh_Hit;
+    var phi_3084_: lt_bvh_Hit;
+    var phi_1497_: u32;
+    var phi_1500_: lt_bvh_Hit;
+    var phi_3085_: bool;
+    var phi_3124_: bool;
+    var phi_3125_: bool;
+    var phi_3156_: u32;
+    var phi_1160_: u32;
+    var phi_1163_: lt_bvh_Hit;
+    var phi_3157_: lt_bvh_Hit;
+    var phi_3158_: lt_bvh_Hit;
+    var phi_3159_: bool;
+    var phi_3163_: lt_bvh_Hit;
+    var phi_3350_: f32;
+    var phi_3355_: f32;
+    var phi_3360_: f32;
+    var phi_3368_: f32;
+    var phi_3373_: f32;
+    var phi_3378_: f32;
+    var phi_3442_: vec3<f32>;
+    var phi_3685_: vec3<f32>;
+    var phi_3700_: u32;
+    var phi_3727_: f32;
+    var phi_3734_: f32;
+    var phi_3741_: f32;
+    var phi_3776_: f32;
+    var phi_3783_: f32;
+    var phi_3790_: f32;
+    var phi_3828_: f32;
+    var phi_3835_: f32;
+    var phi_3842_: f32;
+    var phi_3928_: vec3<f32>;
+    var phi_3929_: vec3<f32>;
+    var phi_3930_: vec3<f32>;
+    var phi_3939_: f32;
+    var phi_3940_: f32;
+    var phi_3950_: f32;
+    var phi_3951_: f32;
+    var phi_3961_: f32;
+    var phi_3962_: f32;
+    var phi_3997_: abi_Sample;
+    var phi_4219_: vec3<f32>;
+    var local_9: lt_bvh_Hit;
+    var local_10: lt_bvh_Hit;
+    var local_11: lt_bvh_Hit;
+    var local_12: lt_bvh_Hit;
+
+    let _e74 = id_1;
+    let _e78 = arrayLength((&nodes.member));
+    let _e81 = arrayLength((&triangles.member));
+    let _e84 = arrayLength((&vertices.member));
+    let _e93 = arrayLength((&instances.member));
+    let _e96 = arrayLength((&color_texels.member));
+    let _e99 = arrayLength((&before.member));
+    let _e105 = p.member.size[0u];
+    let _e107 = p.member.size[1u];
+    let _e108 = lt_shaders_entry_pixel_index(_e74, _e105, _e107);
+    if (bitcast<i32>(_e108.root) != 0i) {
+        let _e114 = p.member.root;
+        let _e118 = p.member.eye;
+        let _e123 = p.member.size[0u];
+        let _e127 = ((((f32(_e74.x) + 0.5f) / f32(_e123)) * 2f) - 1f);
+        let _e132 = p.member.size[1u];
+        let _e136 = (1f - (((f32(_e74.y) + 0.5f) / f32(_e132)) * 2f));
+        let _e138 = p.member.forward;
+        let _e140 = p.member.right;
+        let _e154 = p.member.up;
+        let _e165 = _lt_bvh_ray_Ray_new(_e118, vec3<f32>(((_e138.x + (_e140.x * _e127)) + (_e154.x * _e136)), ((_e138.y + (_e140.y * _e127)) + (_e154.y * _e136)), ((_e138.z + (_e140.z * _e127)) + (_e154.z * _e136))));
+        let _e167 = lt_bvh_Hit(_e165.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e177 = abs(_e165.direction.x);
+        let _e179 = abs(_e165.direction.y);
+        let _e181 = abs(_e165.direction.z);
+        if (abs(_e165.origin.x) < 1000000000000000f) {
+            if (abs(_e165.origin.y) < 1000000000000000f) {
+                if (abs(_e165.origin.z) < 1000000000000000f) {
+                    if (_e177 < 1000000000000000f) {
+                        if (_e179 < 1000000000000000f) {
+                            if (_e181 < 1000000000000000f) {
+                                if (_e177 > 0f) {
+                                    phi_802_ = bool();
+                                    phi_803_ = true;
+                                } else {
+                                    let _e189 = (_e179 > 0f);
+                                    if _e189 {
+                                        phi_801_ = bool();
+                                    } else {
+                                        phi_801_ = (_e181 > 0f);
+                                    }
+                                    let _e192 = phi_801_;
+                                    phi_802_ = _e192;
+                                    phi_803_ = _e189;
+                                }
+                                let _e194 = phi_802_;
+                                let _e196 = phi_803_;
+                                if _e196 {
+                                    phi_807_ = true;
+                                } else {
+                                    phi_807_ = _e194;
+                                }
+                                let _e198 = phi_807_;
+                                phi_808_ = _e198;
+                                phi_809_ = false;
+                            } else {
+                                phi_808_ = bool();
+                                phi_809_ = true;
+                            }
+                            let _e200 = phi_808_;
+                            let _e202 = phi_809_;
+                            phi_810_ = _e200;
+                            phi_811_ = false;
+                            phi_812_ = _e202;
+                        } else {
+                            phi_810_ = bool();
+                            phi_811_ = true;
+                            phi_812_ = false;
+                        }
+                        let _e204 = phi_810_;
+                        let _e206 = phi_811_;
+                        let _e208 = phi_812_;
+                        phi_813_ = _e204;
+                        phi_814_ = _e206;
+                        phi_815_ = _e208;
+                    } else {
+                        phi_813_ = bool();
+                        phi_814_ = true;
+                        phi_815_ = false;
+                    }
+                    let _e210 = phi_813_;
+                    let _e212 = phi_814_;
+                    let _e214 = phi_815_;
+                    phi_816_ = _e210;
+                    phi_817_ = _e212;
+                    phi_818_ = _e214;
+                } else {
+                    phi_816_ = bool();
+                    phi_817_ = true;
+                    phi_818_ = false;
+                }
+                let _e216 = phi_816_;
+                let _e218 = phi_817_;
+                let _e220 = phi_818_;
+                phi_819_ = _e216;
+                phi_820_ = _e218;
+                phi_821_ = _e220;
+            } else {
+                phi_819_ = bool();
+                phi_820_ = true;
+                phi_821_ = false;
+            }
+            let _e222 = phi_819_;
+            let _e224 = phi_820_;
+            let _e226 = phi_821_;
+            phi_822_ = _e222;
+            phi_823_ = _e224;
+            phi_824_ = _e226;
+        } else {
+            phi_822_ = bool();
+            phi_823_ = true;
+            phi_824_ = false;
+        }
+        let _e228 = phi_822_;
+        let _e230 = phi_823_;
+        let _e232 = phi_824_;
+        if _e230 {
+            phi_828_ = true;
+        } else {
+            phi_828_ = _e232;
+        }
+        let _e234 = phi_828_;
+        if _e234 {
+            phi_832_ = false;
+        } else {
+            phi_832_ = _e228;
+        }
+        let _e236 = phi_832_;
+        if _e236 {
+            let _e237 = (_e114 >= _e78);
+            if _e237 {
+                phi_3157_ = lt_bvh_Hit();
+            } else {
+                if (_e114 < _e78) {
+                } else {
+                    return;
+                }
+                let _e243 = nodes.member[(0u + _e114)].frame[0u];
+                let _e247 = nodes.member[(0u + _e114)].frame[1u];
+                let _e251 = nodes.member[(0u + _e114)].frame[2u];
+                let _e255 = nodes.member[(0u + _e114)].frame[0u];
+                let _e259 = nodes.member[(0u + _e114)].frame[1u];
+                let _e263 = nodes.member[(0u + _e114)].frame[2u];
+                let _e267 = nodes.member[(0u + _e114)].frame[3u];
+                let _e305 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165.direction.x), abs(_e165.direction.y));
+                let _e306 = core_intrinsics_maximum_number_nsz_f32_(_e305, abs(_e165.direction.z));
+                let _e307 = (_e306 * 0.0000000000009094947f);
+                if (abs(_e165.direction.x) < _e307) {
+                    phi_907_ = _e307;
+                } else {
+                    phi_907_ = abs(_e165.direction.x);
+                }
+                let _e314 = phi_907_;
+                if (_e165.direction.x < 0f) {
+                    phi_914_ = (-1f / _e314);
+                } else {
+                    phi_914_ = (1f / _e314);
+                }
+                let _e319 = phi_914_;
+                if (abs(_e165.direction.y) < _e307) {
+                    phi_922_ = _e307;
+                } else {
+                    phi_922_ = abs(_e165.direction.y);
+                }
+                let _e326 = phi_922_;
+                if (_e165.direction.y < 0f) {
+                    phi_929_ = (-1f / _e326);
+                } else {
+                    phi_929_ = (1f / _e326);
+                }
+                let _e331 = phi_929_;
+                if (abs(_e165.direction.z) < _e307) {
+                    phi_937_ = _e307;
+                } else {
+                    phi_937_ = abs(_e165.direction.z);
+                }
+                let _e338 = phi_937_;
+                if (_e165.direction.z < 0f) {
+                    phi_944_ = (-1f / _e338);
+                } else {
+                    phi_944_ = (1f / _e338);
+                }
+                let _e343 = phi_944_;
+                let _e351 = abs((bitcast<f32>(_e243) - _e165.origin.x));
+                let _e352 = abs((bitcast<f32>(_e247) - _e165.origin.y));
+                let _e353 = abs((bitcast<f32>(_e251) - _e165.origin.z));
+                let _e361 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e267 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
+                let _e362 = abs(((bitcast<f32>(_e259) + (bitcast<f32>((((_e267 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
+                let _e363 = abs(((bitcast<f32>(_e263) + (bitcast<f32>((((_e267 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
+                if (_e351 > _e361) {
+                    phi_969_ = _e351;
+                } else {
+                    phi_969_ = _e361;
+                }
+                let _e366 = phi_969_;
+                if (_e352 > _e362) {
+                    phi_974_ = _e352;
+                } else {
+                    phi_974_ = _e362;
+                }
+                let _e369 = phi_974_;
+                if (_e353 > _e363) {
+                    phi_979_ = _e353;
+                } else {
+                    phi_979_ = _e363;
+                }
+                let _e372 = phi_979_;
+                let _e373 = core_intrinsics_maximum_number_nsz_f32_(_e366, _e369);
+                let _e374 = core_intrinsics_maximum_number_nsz_f32_(_e373, _e372);
+                let _e379 = (_e374 * 0.0000019073486f);
+                let _e380 = (abs(_e319) * _e379);
+                let _e381 = (abs(_e331) * _e379);
+                let _e382 = (abs(_e343) * _e379);
+                let _e386 = (_e374 * 0.0000009536743f);
+                let _e387 = (abs(_e319) * _e386);
+                let _e388 = (abs(_e331) * _e386);
+                let _e389 = (abs(_e343) * _e386);
+                if (_e319 < 0f) {
+                    phi_1001_ = 0u;
+                } else {
+                    phi_1001_ = 1u;
+                }
+                let _e392 = phi_1001_;
+                if (_e331 < 0f) {
+                    phi_1006_ = 0u;
+                } else {
+                    phi_1006_ = 2u;
+                }
+                let _e395 = phi_1006_;
+                if (_e343 < 0f) {
+                    phi_1011_ = 0u;
+                } else {
+                    phi_1011_ = 4u;
+                }
+                let _e398 = phi_1011_;
+                let _e400 = ((_e392 | _e395) | _e398);
+                let _e401 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e401.first[0], _e401.first[1], _e401.first[2], _e401.first[3], _e401.first[4], _e401.first[5], _e401.first[6], _e401.first[7], _e401.first[8], _e401.first[9], _e401.first[10], _e401.first[11], _e401.first[12], _e401.first[13], _e401.first[14], _e401.first[15], _e401.first[16], _e401.first[17], _e401.first[18], _e401.first[19], _e401.first[20], _e401.first[21], _e401.first[22], _e401.first[23], _e401.first[24], _e401.first[25], _e401.first[26], _e401.first[27], _e401.first[28], _e401.first[29], _e401.first[30], _e401.first[31]), array<u32, 32>(_e401.mask[0], _e401.mask[1], _e401.mask[2], _e401.mask[3], _e401.mask[4], _e401.mask[5], _e401.mask[6], _e401.mask[7], _e401.mask[8], _e401.mask[9], _e401.mask[10], _e401.mask[11], _e401.mask[12], _e401.mask[13], _e401.mask[14], _e401.mask[15], _e401.mask[16], _e401.mask[17], _e401.mask[18], _e401.mask[19], _e401.mask[20], _e401.mask[21], _e401.mask[22], _e401.mask[23], _e401.mask[24], _e401.mask[25], _e401.mask[26], _e401.mask[27], _e401.mask[28], _e401.mask[29], _e401.mask[30], _e401.mask[31]), _e401.len, _e401.group, _e401.group_mask);
+                let _e475 = local_2.group_mask;
+                if ((_e475 & 4278190080u) == 0u) {
+                    let _e479 = local_2.len;
+                    if (_e479 == 0u) {
+                        phi_1125_ = false;
+                    } else {
+                        let _e483 = local_2.len;
+                        local_2.len = (_e483 - 1u);
+                        let _e486 = local_2.len;
+                        if (_e486 < 32u) {
+                        } else {
+                            return;
+                        }
+                        let _e491 = local_2.first[(0u + _e486)];
+                        local_2.group = _e491;
+                        let _e494 = local_2.len;
+                        if (_e494 < 32u) {
+                        } else {
+                            return;
+                        }
+                        let _e499 = local_2.mask[(0u + _e494)];
+                        local_2.group_mask = _e499;
+                        phi_1125_ = true;
+                    }
+                    let _e502 = phi_1125_;
+                    phi_1126_ = _e502;
+                } else {
+                    phi_1126_ = true;
+                }
+                let _e504 = phi_1126_;
+                if _e504 {
+                    let _e506 = local_2.group_mask;
+                    let _e512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e506)), 32u, (_e506 == 0u)));
+                    let _e516 = local_2.group_mask;
+                    let _e530 = local_2.group_mask;
+                    local_2.group_mask = (_e530 & ~((1u << bitcast<u32>((_e512 & 31u)))));
+                    let _e533 = local_2.group;
+                    phi_1157_ = (_e533 + countOneBits(((_e516 & ~((4294967295u << bitcast<u32>((((_e512 - 24u) ^ 7u) & 31u))))) & 255u)));
+                } else {
+                    phi_1157_ = 4294967295u;
+                }
+                let _e536 = phi_1157_;
+                phi_1159_ = _e536;
+                phi_1162_ = _e167;
+                loop {
+                    let _e538 = phi_1159_;
+                    let _e540 = phi_1162_;
+                    local_12 = _e540;
+                    let _e541 = (_e538 != 4294967295u);
+                    if _e541 {
+                        if (_e538 < _e78) {
+                        } else {
+                            return;
+                        }
+                        let _e549 = nodes.member[(0u + _e538)].frame[3u];
+                        let _e574 = (bitcast<f32>((((_e549 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
+                        let _e575 = (bitcast<f32>((((_e549 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
+                        let _e576 = (bitcast<f32>((((_e549 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e343);
+                        let _e579 = nodes.member[(0u + _e538)].frame[0u];
+                        let _e583 = nodes.member[(0u + _e538)].frame[1u];
+                        let _e587 = nodes.member[(0u + _e538)].frame[2u];
+                        let _e595 = ((bitcast<f32>(_e579) - _e165.origin.x) * _e319);
+                        let _e596 = ((bitcast<f32>(_e583) - _e165.origin.y) * _e331);
+                        let _e597 = ((bitcast<f32>(_e587) - _e165.origin.z) * _e343);
+                        let _e605 = nodes.member[(0u + _e538)].x;
+                        if (_e319 < 0f) {
+                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e616.unnamed.root, _e605.w), _e616.unnamed_1);
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_bvh_traverse_Tree(_e605.x, _e622.unnamed_1.first_primitive));
+                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e628.unnamed_1.root, _e605.y));
+                        } else {
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.unnamed.root, _e605.y), _e644.unnamed_1);
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e605.z, _e650.unnamed_1.first_primitive));
+                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e605.w));
+                        }
+                        let _e664 = phi_1247_;
+                        let _e674 = nodes.member[(0u + _e538)].y;
+                        if (_e331 < 0f) {
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e685.unnamed.root, _e674.w), _e685.unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e674.x, _e691.unnamed_1.first_primitive));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e697.unnamed_1.root, _e674.y));
+                        } else {
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.unnamed.root, _e674.y), _e713.unnamed_1);
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e674.z, _e719.unnamed_1.first_primitive));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e674.w));
+                        }
+                        let _e733 = phi_1274_;
+                        let _e743 = nodes.member[(0u + _e538)].z;
+                        if (_e343 < 0f) {
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e754.unnamed.root, _e743.w), _e754.unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e743.x, _e760.unnamed_1.first_primitive));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e766.unnamed_1.root, _e743.y));
+                        } else {
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.unnamed.root, _e743.y), _e782.unnamed_1);
+                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e743.z, _e788.unnamed_1.first_primitive));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e743.w));
+                        }
+                        let _e802 = phi_1301_;
+                        phi_1307_ = 0u;
+                        phi_1310_ = 0u;
+                        loop {
+                            let _e812 = phi_1307_;
+                            let _e814 = phi_1310_;
+                            local_3 = _e814;
+                            local_4 = _e814;
+                            local_5 = _e814;
+                            let _e815 = (_e812 < 8u);
+                            if _e815 {
+                                let _e817 = (_e812 >> bitcast<u32>(2i));
+                                let _e818 = (_e812 & 3u);
+                                if (_e817 == 0u) {
+                                    phi_1324_ = _e664.unnamed.root;
+                                } else {
+                                    phi_1324_ = _e664.unnamed.first_primitive;
+                                }
+                                let _e821 = phi_1324_;
+                                if (_e817 == 0u) {
+                                    phi_1334_ = _e733.unnamed.root;
+                                } else {
+                                    phi_1334_ = _e733.unnamed.first_primitive;
+                                }
+                                let _e830 = phi_1334_;
+                                if (_e817 == 0u) {
+                                    phi_1344_ = _e802.unnamed.root;
+                                } else {
+                                    phi_1344_ = _e802.unnamed.first_primitive;
+                                }
+                                let _e839 = phi_1344_;
+                                let _e852 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e821 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 - _e380)), ((f32(((_e830 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 - _e381)));
+                                let _e853 = core_intrinsics_maximum_number_nsz_f32_(_e852, ((f32(((_e839 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)));
+                                if (_e817 == 0u) {
+                                    phi_1362_ = _e664.unnamed_1.root;
+                                } else {
+                                    phi_1362_ = _e664.unnamed_1.first_primitive;
+                                }
+                                let _e856 = phi_1362_;
+                                if (_e817 == 0u) {
+                                    phi_1372_ = _e733.unnamed_1.root;
+                                } else {
+                                    phi_1372_ = _e733.unnamed_1.first_primitive;
+                                }
+                                let _e865 = phi_1372_;
+                                if (_e817 == 0u) {
+                                    phi_1382_ = _e802.unnamed_1.root;
+                                } else {
+                                    phi_1382_ = _e802.unnamed_1.first_primitive;
+                                }
+                                let _e874 = phi_1382_;
+                                let _e887 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 + _e380)), ((f32(((_e865 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 + _e381)));
+                                let _e888 = core_intrinsics_minimum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 + _e382)));
+                                if (_e853 <= _e888) {
+                                    if (_e853 <= _e540.t) {
+                                        if (_e888 >= _e165.tmin) {
+                                            if (_e817 == 0u) {
+                                                let _e895 = nodes.member[(0u + _e538)].links[2u];
+                                                phi_1418_ = _e895;
+                                            } else {
+                                                let _e898 = nodes.member[(0u + _e538)].links[3u];
+                                                phi_1418_ = _e898;
+                                            }
+                                            let _e900 = phi_1418_;
+                                            let _e905 = ((_e900 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u);
+                                            let _e906 = (_e905 & 31u);
+                                            if (_e906 >= 24u) {
+                                                phi_1431_ = (24u + ((_e906 - 24u) ^ _e400));
+                                            } else {
+                                                phi_1431_ = _e906;
+                                            }
+                                            let _e912 = phi_1431_;
+                                            phi_1436_ = (_e814 | ((_e905 >> bitcast<u32>(5i)) << bitcast<u32>((_e912 & 31u))));
+                                        } else {
+                                            phi_1436_ = _e814;
+                                        }
+                                        let _e920 = phi_1436_;
+                                        phi_1437_ = _e920;
+                                    } else {
+                                        phi_1437_ = _e814;
+                                    }
+                                    let _e922 = phi_1437_;
+                                    phi_1438_ = _e922;
+                                } else {
+                                    phi_1438_ = _e814;
+                                }
+                                let _e924 = phi_1438_;
+                                phi_1308_ = (_e812 + 1u);
+                                phi_1311_ = _e924;
+                            } else {
+                                phi_1308_ = u32();
+                                phi_1311_ = u32();
+                            }
+                            let _e927 = phi_1308_;
+                            let _e929 = phi_1311_;
+                            continue;
+                            continuing {
+                                phi_1307_ = _e927;
+                                phi_1310_ = _e929;
+                                break if !(_e815);
+                            }
+                        }
+                        let _e933 = nodes.member[(0u + _e538)].links[0u];
+                        let _e937 = nodes.member[(0u + _e538)].frame[3u];
+                        let _e941 = local_3;
+                        if ((_e941 & 4278190080u) == 0u) {
+                        } else {
+                            let _e945 = local_2.group_mask;
+                            if ((_e945 & 4278190080u) == 0u) {
+                            } else {
+                                let _e949 = local_2.len;
+                                if (_e949 < 32u) {
+                                    let _e952 = local_2.group;
+                                    let _e954 = local_2.len;
+                                    if (_e954 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    local_2.first[(0u + _e954)] = _e952;
+                                    let _e960 = local_2.group_mask;
+                                    let _e962 = local_2.len;
+                                    if (_e962 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    local_2.mask[(0u + _e962)] = _e960;
+                                    let _e969 = local_2.len;
+                                    local_2.len = (_e969 + 1u);
+                                }
+                            }
+                            local_2.group = (_e114 + _e933);
+                            let _e973 = local_4;
+                            local_2.group_mask = ((_e973 & 4278190080u) | (_e937 >> bitcast<u32>(24i)));
+                        }
+                        let _e978 = local_5;
+                        phi_1496_ = (_e978 & 16777215u);
+                        phi_1499_ = _e540;
+                        loop {
+                            let _e981 = phi_1496_;
+                            let _e983 = phi_1499_;
+                            local_11 = _e983;
+                            if (_e981 == 0u) {
+                                phi_1497_ = u32();
+                                phi_1500_ = lt_bvh_Hit();
+                                phi_3085_ = false;
+                            } else {
+                                let _e987 = nodes.member[(0u + _e538)].links[1u];
+                                let _e991 = (_e987 + select(firstTrailingBit(_e981), 32u, (_e981 == 0u)));
+                                if (_e991 < _e93) {
+                                } else {
+                                    return;
+                                }
+                                let _e998 = instances.member[(0u + _e991)].low_world;
+                                let _e1000 = instances.member[(0u + _e991)].high_world;
+                                let _e1010 = ((_e998.x - _e165.origin.x) * _e319);
+                                let _e1011 = ((_e998.y - _e165.origin.y) * _e331);
+                                let _e1012 = ((_e998.z - _e165.origin.z) * _e343);
+                                let _e1022 = ((_e1000.x - _e165.origin.x) * _e319);
+                                let _e1023 = ((_e1000.y - _e165.origin.y) * _e331);
+                                let _e1024 = ((_e1000.z - _e165.origin.z) * _e343);
+                                if (_e1010 < _e1022) {
+                                    phi_1554_ = _e1010;
+                                } else {
+                                    phi_1554_ = _e1022;
+                                }
+                                let _e1027 = phi_1554_;
+                                if (_e1011 < _e1023) {
+                                    phi_1559_ = _e1011;
+                                } else {
+                                    phi_1559_ = _e1023;
+                                }
+                                let _e1030 = phi_1559_;
+                                if (_e1012 < _e1024) {
+                                    phi_1564_ = _e1012;
+                                } else {
+                                    phi_1564_ = _e1024;
+                                }
+                                let _e1033 = phi_1564_;
+                                if (_e1010 > _e1022) {
+                                    phi_1572_ = _e1010;
+                                } else {
+                                    phi_1572_ = _e1022;
+                                }
+                                let _e1039 = phi_1572_;
+                                if (_e1011 > _e1023) {
+                                    phi_1577_ = _e1011;
+                                } else {
+                                    phi_1577_ = _e1023;
+                                }
+                                let _e1042 = phi_1577_;
+                                if (_e1012 > _e1024) {
+                                    phi_1582_ = _e1012;
+                                } else {
+                                    phi_1582_ = _e1024;
+                                }
+                                let _e1045 = phi_1582_;
+                                let _e1049 = core_intrinsics_maximum_number_nsz_f32_((_e1027 - _e387), (_e1030 - _e388));
+                                let _e1050 = core_intrinsics_maximum_number_nsz_f32_(_e1049, (_e1033 - _e389));
+                                let _e1051 = core_intrinsics_minimum_number_nsz_f32_((_e1039 + _e387), (_e1042 + _e388));
+                                let _e1052 = core_intrinsics_minimum_number_nsz_f32_(_e1051, (_e1045 + _e389));
+                                if (_e1050 <= _e1052) {
+                                    if (_e1050 <= _e983.t) {
+                                        if (_e1052 >= _e165.tmin) {
+                                            let _e1064 = instances.member[(0u + _e991)].world_to_object[0u];
+                                            let _e1075 = ((((_e1064.x * _e165.origin.x) + (_e1064.y * _e165.origin.y)) + (_e1064.z * _e165.origin.z)) + (_e1064.w * 1f));
+                                            let _e1077 = instances.member[(0u + _e991)].world_to_object[1u];
+                                            let _e1088 = ((((_e1077.x * _e165.origin.x) + (_e1077.y * _e165.origin.y)) + (_e1077.z * _e165.origin.z)) + (_e1077.w * 1f));
+                                            let _e1090 = instances.member[(0u + _e991)].world_to_object[2u];
+                                            let _e1101 = ((((_e1090.x * _e165.origin.x) + (_e1090.y * _e165.origin.y)) + (_e1090.z * _e165.origin.z)) + (_e1090.w * 1f));
+                                            let _e1108 = instances.member[(0u + _e991)].world_to_object[0u];
+                                            let _e1119 = ((((_e1108.x * _e165.direction.x) + (_e1108.y * _e165.direction.y)) + (_e1108.z * _e165.direction.z)) + (_e1108.w * 0f));
+                                            let _e1121 = instances.member[(0u + _e991)].world_to_object[1u];
+                                            let _e1132 = ((((_e1121.x * _e165.direction.x) + (_e1121.y * _e165.direction.y)) + (_e1121.z * _e165.direction.z)) + (_e1121.w * 0f));
+                                            let _e1134 = instances.member[(0u + _e991)].world_to_object[2u];
+                                            let _e1145 = ((((_e1134.x * _e165.direction.x) + (_e1134.y * _e165.direction.y)) + (_e1134.z * _e165.direction.z)) + (_e1134.w * 0f));
+                                            let _e1150 = instances.member[(0u + _e991)].root;
+                                            let _e1152 = instances.member[(0u + _e991)].first_triangle;
+                                            let _e1156 = abs(_e1119);
+                                            let _e1157 = abs(_e1132);
+                                            let _e1158 = abs(_e1145);
+                                            if (abs(_e1075) < 1000000000000000f) {
+                                                if (abs(_e1088) < 1000000000000000f) {
+                                                    if (abs(_e1101) < 1000000000000000f) {
+                                                        if (_e1156 < 1000000000000000f) {
+                                                            if (_e1157 < 1000000000000000f) {
+                                                                if (_e1158 < 1000000000000000f) {
+                                                                    if (_e1156 > 0f) {
+                                                                        phi_1739_ = bool();
+                                                                        phi_1740_ = true;
+                                                                    } else {
+                                                                        let _e1166 = (_e1157 > 0f);
+                                                                        if _e1166 {
+                                                                            phi_1738_ = bool();
+                                                                        } else {
+                                                                            phi_1738_ = (_e1158 > 0f);
+                                                                        }
+                                                                        let _e1169 = phi_1738_;
+                                                                        phi_1739_ = _e1169;
+                                                                        phi_1740_ = _e1166;
+                                                                    }
+                                                                    let _e1171 = phi_1739_;
+                                                                    let _e1173 = phi_1740_;
+                                                                    if _e1173 {
+                                                                        phi_1744_ = true;
+                                                                    } else {
+                                                                        phi_1744_ = _e1171;
+                                                                    }
+                                                                    let _e1175 = phi_1744_;
+                                                                    phi_1745_ = _e1175;
+                                                                    phi_1746_ = false;
+                                                                } else {
+                                                                    phi_1745_ = bool();
+                                                                    phi_1746_ = true;
+                                                                }
+                                                                let _e1177 = phi_1745_;
+                                                                let _e1179 = phi_1746_;
+                                                                phi_1747_ = _e1177;
+                                                                phi_1748_ = false;
+                                                                phi_1749_ = _e1179;
+                                                            } else {
+                                                                phi_1747_ = bool();
+                                                                phi_1748_ = true;
+                                                                phi_1749_ = false;
+                                                            }
+                                                            let _e1181 = phi_1747_;
+                                                            let _e1183 = phi_1748_;
+                                                            let _e1185 = phi_1749_;
+                                                            phi_1750_ = _e1181;
+                                                            phi_1751_ = _e1183;
+                                                            phi_1752_ = _e1185;
+                                                        } else {
+                                                            phi_1750_ = bool();
+                                                            phi_1751_ = true;
+                                                            phi_1752_ = false;
+                                                        }
+                                                        let _e1187 = phi_1750_;
+                                                        let _e1189 = phi_1751_;
+                                                        let _e1191 = phi_1752_;
+                                                        phi_1753_ = _e1187;
+                                                        phi_1754_ = _e1189;
+                                                        phi_1755_ = _e1191;
+                                                    } else {
+                                                        phi_1753_ = bool();
+                                                        phi_1754_ = true;
+                                                        phi_1755_ = false;
+                                                    }
+                                                    let _e1193 = phi_1753_;
+                                                    let _e1195 = phi_1754_;
+                                                    let _e1197 = phi_1755_;
+                                                    phi_1756_ = _e1193;
+                                                    phi_1757_ = _e1195;
+                                                    phi_1758_ = _e1197;
+                                                } else {
+                                                    phi_1756_ = bool();
+                                                    phi_1757_ = true;
+                                                    phi_1758_ = false;
+                                                }
+                                                let _e1199 = phi_1756_;
+                                                let _e1201 = phi_1757_;
+                                                let _e1203 = phi_1758_;
+                                                phi_1759_ = _e1199;
+                                                phi_1760_ = _e1201;
+                                                phi_1761_ = _e1203;
+                                            } else {
+                                                phi_1759_ = bool();
+                                                phi_1760_ = true;
+                                                phi_1761_ = false;
+                                            }
+                                            let _e1205 = phi_1759_;
+                                            let _e1207 = phi_1760_;
+                                            let _e1209 = phi_1761_;
+                                            if _e1207 {
+                                                phi_1765_ = true;
+                                            } else {
+                                                phi_1765_ = _e1209;
+                                            }
+                                            let _e1211 = phi_1765_;
+                                            if _e1211 {
+                                                phi_1769_ = false;
+                                            } else {
+                                                phi_1769_ = _e1205;
+                                            }
+                                            let _e1213 = phi_1769_;
+                                            if _e1213 {
+                                                let _e1214 = (_e1150 >= _e78);
+                                                if _e1214 {
+                                                    phi_3075_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1150 < _e78) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1220 = nodes.member[(0u + _e1150)].frame[0u];
+                                                    let _e1224 = nodes.member[(0u + _e1150)].frame[1u];
+                                                    let _e1228 = nodes.member[(0u + _e1150)].frame[2u];
+                                                    let _e1232 = nodes.member[(0u + _e1150)].frame[0u];
+                                                    let _e1236 = nodes.member[(0u + _e1150)].frame[1u];
+                                                    let _e1240 = nodes.member[(0u + _e1150)].frame[2u];
+                                                    let _e1244 = nodes.member[(0u + _e1150)].frame[3u];
+                                                    let _e1278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1119), abs(_e1132));
+                                                    let _e1279 = core_intrinsics_maximum_number_nsz_f32_(_e1278, abs(_e1145));
+                                                    let _e1280 = (_e1279 * 0.0000000000009094947f);
+                                                    if (abs(_e1119) < _e1280) {
+                                                        phi_1839_ = _e1280;
+                                                    } else {
+                                                        phi_1839_ = abs(_e1119);
+                                                    }
+                                                    let _e1285 = phi_1839_;
+                                                    if (_e1119 < 0f) {
+                                                        phi_1846_ = (-1f / _e1285);
+                                                    } else {
+                                                        phi_1846_ = (1f / _e1285);
+                                                    }
+                                                    let _e1290 = phi_1846_;
+                                                    if (abs(_e1132) < _e1280) {
+                                                        phi_1853_ = _e1280;
+                                                    } else {
+                                                        phi_1853_ = abs(_e1132);
+                                                    }
+                                                    let _e1295 = phi_1853_;
+                                                    if (_e1132 < 0f) {
+                                                        phi_1860_ = (-1f / _e1295);
+                                                    } else {
+                                                        phi_1860_ = (1f / _e1295);
+                                                    }
+                                                    let _e1300 = phi_1860_;
+                                                    if (abs(_e1145) < _e1280) {
+                                                        phi_1867_ = _e1280;
+                                                    } else {
+                                                        phi_1867_ = abs(_e1145);
+                                                    }
+                                                    let _e1305 = phi_1867_;
+                                                    if (_e1145 < 0f) {
+                                                        phi_1874_ = (-1f / _e1305);
+                                                    } else {
+                                                        phi_1874_ = (1f / _e1305);
+                                                    }
+                                                    let _e1310 = phi_1874_;
+                                                    let _e1314 = abs((bitcast<f32>(_e1220) - _e1075));
+                                                    let _e1315 = abs((bitcast<f32>(_e1224) - _e1088));
+                                                    let _e1316 = abs((bitcast<f32>(_e1228) - _e1101));
+                                                    let _e1320 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1075));
+                                                    let _e1321 = abs(((bitcast<f32>(_e1236) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1088));
+                                                    let _e1322 = abs(((bitcast<f32>(_e1240) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1101));
+                                                    if (_e1314 > _e1320) {
+                                                        phi_1891_ = _e1314;
+                                                    } else {
+                                                        phi_1891_ = _e1320;
+                                                    }
+                                                    let _e1325 = phi_1891_;
+                                                    if (_e1315 > _e1321) {
+                                                        phi_1896_ = _e1315;
+                                                    } else {
+                                                        phi_1896_ = _e1321;
+                                                    }
+                                                    let _e1328 = phi_1896_;
+                                                    if (_e1316 > _e1322) {
+                                                        phi_1901_ = _e1316;
+                                                    } else {
+                                                        phi_1901_ = _e1322;
+                                                    }
+                                                    let _e1331 = phi_1901_;
+                                                    let _e1332 = core_intrinsics_maximum_number_nsz_f32_(_e1325, _e1328);
+                                                    let _e1333 = core_intrinsics_maximum_number_nsz_f32_(_e1332, _e1331);
+                                                    let _e1337 = (_e1333 * 0.0000019073486f);
+                                                    let _e1338 = (abs(_e1290) * _e1337);
+                                                    let _e1339 = (abs(_e1300) * _e1337);
+                                                    let _e1340 = (abs(_e1310) * _e1337);
+                                                    let _e1344 = (_e1333 * 0.0000009536743f);
+                                                    let _e1345 = (abs(_e1290) * _e1344);
+                                                    let _e1346 = (abs(_e1300) * _e1344);
+                                                    let _e1347 = (abs(_e1310) * _e1344);
+                                                    let _e1348 = abs(_e1119);
+                                                    let _e1349 = abs(_e1132);
+                                                    let _e1350 = abs(_e1145);
+                                                    if (_e1348 >= _e1349) {
+                                                        if (_e1348 >= _e1350) {
+                                                            phi_1929_ = false;
+                                                        } else {
+                                                            phi_1929_ = true;
+                                                        }
+                                                        let _e1354 = phi_1929_;
+                                                        phi_1930_ = _e1354;
+                                                    } else {
+                                                        phi_1930_ = true;
+                                                    }
+                                                    let _e1356 = phi_1930_;
+                                                    if _e1356 {
+                                                        if (_e1349 >= _e1350) {
+                                                            phi_1938_ = 1u;
+                                                        } else {
+                                                            phi_1938_ = 2u;
+                                                        }
+                                                        let _e1359 = phi_1938_;
+                                                        phi_1939_ = _e1359;
+                                                    } else {
+                                                        phi_1939_ = 0u;
+                                                    }
+                                                    let _e1361 = phi_1939_;
+                                                    if (_e1361 == 0u) {
+                                                        phi_1951_ = vec3<f32>(_e1132, _e1145, _e1119);
+                                                    } else {
+                                                        if (_e1361 == 1u) {
+                                                            phi_1950_ = vec3<f32>(_e1145, _e1119, _e1132);
+                                                        } else {
+                                                            phi_1950_ = vec3<f32>(_e1119, _e1132, _e1145);
+                                                        }
+                                                        let _e1367 = phi_1950_;
+                                                        phi_1951_ = _e1367;
+                                                    }
+                                                    let _e1369 = phi_1951_;
+                                                    let _e1372 = (_e1369.x / _e1369.z);
+                                                    let _e1375 = (_e1369.y / _e1369.z);
+                                                    let _e1377 = (1f / _e1369.z);
+                                                    if (_e1290 < 0f) {
+                                                        phi_1964_ = 0u;
+                                                    } else {
+                                                        phi_1964_ = 1u;
+                                                    }
+                                                    let _e1380 = phi_1964_;
+                                                    if (_e1300 < 0f) {
+                                                        phi_1969_ = 0u;
+                                                    } else {
+                                                        phi_1969_ = 2u;
+                                                    }
+                                                    let _e1383 = phi_1969_;
+                                                    if (_e1310 < 0f) {
+                                                        phi_1974_ = 0u;
+                                                    } else {
+                                                        phi_1974_ = 4u;
+                                                    }
+                                                    let _e1386 = phi_1974_;
+                                                    let _e1388 = ((_e1380 | _e1383) | _e1386);
+                                                    let _e1389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1150, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1389.first[0], _e1389.first[1], _e1389.first[2], _e1389.first[3], _e1389.first[4], _e1389.first[5], _e1389.first[6], _e1389.first[7], _e1389.first[8], _e1389.first[9], _e1389.first[10], _e1389.first[11], _e1389.first[12], _e1389.first[13], _e1389.first[14], _e1389.first[15], _e1389.first[16], _e1389.first[17], _e1389.first[18], _e1389.first[19], _e1389.first[20], _e1389.first[21], _e1389.first[22], _e1389.first[23], _e1389.first[24], _e1389.first[25], _e1389.first[26], _e1389.first[27], _e1389.first[28], _e1389.first[29], _e1389.first[30], _e1389.first[31]), array<u32, 32>(_e1389.mask[0], _e1389.mask[1], _e1389.mask[2], _e1389.mask[3], _e1389.mask[4], _e1389.mask[5], _e1389.mask[6], _e1389.mask[7], _e1389.mask[8], _e1389.mask[9], _e1389.mask[10], _e1389.mask[11], _e1389.mask[12], _e1389.mask[13], _e1389.mask[14], _e1389.mask[15], _e1389.mask[16], _e1389.mask[17], _e1389.mask[18], _e1389.mask[19], _e1389.mask[20], _e1389.mask[21], _e1389.mask[22], _e1389.mask[23], _e1389.mask[24], _e1389.mask[25], _e1389.mask[26], _e1389.mask[27], _e1389.mask[28], _e1389.mask[29], _e1389.mask[30], _e1389.mask[31]), _e1389.len, _e1389.group, _e1389.group_mask);
+                                                    let _e1463 = local_1.group_mask;
+                                                    if ((_e1463 & 4278190080u) == 0u) {
+                                                        let _e1467 = local_1.len;
+                                                        if (_e1467 == 0u) {
+                                                            phi_2088_ = false;
+                                                        } else {
+                                                            let _e1471 = local_1.len;
+                                                            local_1.len = (_e1471 - 1u);
+                                                            let _e1474 = local_1.len;
+                                                            if (_e1474 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1479 = local_1.first[(0u + _e1474)];
+                                                            local_1.group = _e1479;
+                                                            let _e1482 = local_1.len;
+                                                            if (_e1482 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1487 = local_1.mask[(0u + _e1482)];
+                                                            local_1.group_mask = _e1487;
+                                                            phi_2088_ = true;
+                                                        }
+                                                        let _e1490 = phi_2088_;
+                                                        phi_2089_ = _e1490;
+                                                    } else {
+                                                        phi_2089_ = true;
+                                                    }
+                                                    let _e1492 = phi_2089_;
+                                                    if _e1492 {
+                                                        let _e1494 = local_1.group_mask;
+                                                        let _e1500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1494)), 32u, (_e1494 == 0u)));
+                                                        let _e1504 = local_1.group_mask;
+                                                        let _e1518 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1518 & ~((1u << bitcast<u32>((_e1500 & 31u)))));
+                                                        let _e1521 = local_1.group;
+                                                        phi_2120_ = (_e1521 + countOneBits(((_e1504 & ~((4294967295u << bitcast<u32>((((_e1500 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    } else {
+                                                        phi_2120_ = 4294967295u;
+                                                    }
+                                                    let _e1524 = phi_2120_;
+                                                    phi_2122_ = _e983;
+                                                    phi_2125_ = _e1524;
+                                                    loop {
+                                                        let _e1526 = phi_2122_;
+                                                        let _e1528 = phi_2125_;
+                                                        local_10 = _e1526;
+                                                        let _e1529 = (_e1528 != 4294967295u);
+                                                        if _e1529 {
+                                                            if (_e1528 < _e78) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1536 = nodes.member[(0u + _e1528)].frame[3u];
+                                                            let _e1561 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
+                                                            let _e1562 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1300);
+                                                            let _e1563 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1310);
+                                                            let _e1566 = nodes.member[(0u + _e1528)].frame[0u];
+                                                            let _e1570 = nodes.member[(0u + _e1528)].frame[1u];
+                                                            let _e1574 = nodes.member[(0u + _e1528)].frame[2u];
+                                                            let _e1579 = ((bitcast<f32>(_e1566) - _e1075) * _e1290);
+                                                            let _e1580 = ((bitcast<f32>(_e1570) - _e1088) * _e1300);
+                                                            let _e1581 = ((bitcast<f32>(_e1574) - _e1101) * _e1310);
+                                                            let _e1589 = nodes.member[(0u + _e1528)].x;
+                                                            if (_e1290 < 0f) {
+                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1600.unnamed.root, _e1589.w), _e1600.unnamed_1);
+                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_bvh_traverse_Tree(_e1589.x, _e1606.unnamed_1.first_primitive));
+                                                                phi_2206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1612.unnamed_1.root, _e1589.y));
+                                                            } else {
+                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1628.unnamed.root, _e1589.y), _e1628.unnamed_1);
+                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_bvh_traverse_Tree(_e1589.z, _e1634.unnamed_1.first_primitive));
+                                                                phi_2206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_bvh_traverse_Tree(_e1640.unnamed_1.root, _e1589.w));
+                                                            }
+                                                            let _e1648 = phi_2206_;
+                                                            let _e1658 = nodes.member[(0u + _e1528)].y;
+                                                            if (_e1300 < 0f) {
+                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1669.unnamed.root, _e1658.w), _e1669.unnamed_1);
+                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1658.x, _e1675.unnamed_1.first_primitive));
+                                                                phi_2233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1681.unnamed_1.root, _e1658.y));
+                                                            } else {
+                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1697.unnamed.root, _e1658.y), _e1697.unnamed_1);
+                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_bvh_traverse_Tree(_e1658.z, _e1703.unnamed_1.first_primitive));
+                                                                phi_2233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_bvh_traverse_Tree(_e1709.unnamed_1.root, _e1658.w));
+                                                            }
+                                                            let _e1717 = phi_2233_;
+                                                            let _e1727 = nodes.member[(0u + _e1528)].z;
+                                                            if (_e1310 < 0f) {
+                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1738.unnamed.root, _e1727.w), _e1738.unnamed_1);
+                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_bvh_traverse_Tree(_e1727.x, _e1744.unnamed_1.first_primitive));
+                                                                phi_2260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1750.unnamed, lt_bvh_traverse_Tree(_e1750.unnamed_1.root, _e1727.y));
+                                                            } else {
+                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1766.unnamed.root, _e1727.y), _e1766.unnamed_1);
+                                                                let _e1778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_bvh_traverse_Tree(_e1727.z, _e1772.unnamed_1.first_primitive));
+                                                                phi_2260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1778.unnamed, lt_bvh_traverse_Tree(_e1778.unnamed_1.root, _e1727.w));
+                                                            }
+                                                            let _e1786 = phi_2260_;
+                                                            phi_2266_ = 0u;
+                                                            phi_2269_ = 0u;
+                                                            loop {
+                                                                let _e1796 = phi_2266_;
+                                                                let _e1798 = phi_2269_;
+                                                                local_6 = _e1798;
+                                                                local_7 = _e1798;
+                                                                local_8 = _e1798;
+                                                                let _e1799 = (_e1796 < 8u);
+                                                                if _e1799 {
+                                                                    let _e1801 = (_e1796 >> bitcast<u32>(2i));
+                                                                    let _e1802 = (_e1796 & 3u);
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2283_ = _e1648.unnamed.root;
+                                                                    } else {
+                                                                        phi_2283_ = _e1648.unnamed.first_primitive;
+                                                                    }
+                                                                    let _e1805 = phi_2283_;
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2293_ = _e1717.unnamed.root;
+                                                                    } else {
+                                                                        phi_2293_ = _e1717.unnamed.first_primitive;
+                                                                    }
+                                                                    let _e1814 = phi_2293_;
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2303_ = _e1786.unnamed.root;
+                                                                    } else {
+                                                                        phi_2303_ = _e1786.unnamed.first_primitive;
+                                                                    }
+                                                                    let _e1823 = phi_2303_;
+                                                                    let _e1836 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1805 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 - _e1338)), ((f32(((_e1814 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 - _e1339)));
+                                                                    let _e1837 = core_intrinsics_maximum_number_nsz_f32_(_e1836, ((f32(((_e1823 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)));
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2321_ = _e1648.unnamed_1.root;
+                                                                    } else {
+                                                                        phi_2321_ = _e1648.unnamed_1.first_primitive;
+                                                                    }
+                                                                    let _e1840 = phi_2321_;
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2331_ = _e1717.unnamed_1.root;
+                                                                    } else {
+                                                                        phi_2331_ = _e1717.unnamed_1.first_primitive;
+                                                                    }
+                                                                    let _e1849 = phi_2331_;
+                                                                    if (_e1801 == 0u) {
+                                                                        phi_2341_ = _e1786.unnamed_1.root;
+                                                                    } else {
+                                                                        phi_2341_ = _e1786.unnamed_1.first_primitive;
+                                                                    }
+                                                                    let _e1858 = phi_2341_;
+                                                                    let _e1871 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1840 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 + _e1338)), ((f32(((_e1849 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 + _e1339)));
+                                                                    let _e1872 = core_intrinsics_minimum_number_nsz_f32_(_e1871, ((f32(((_e1858 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)));
+                                                                    if (_e1837 <= _e1872) {
+                                                                        if (_e1837 <= _e1526.t) {
+                                                                            if (_e1872 >= _e165.tmin) {
+                                                                                if (_e1801 == 0u) {
+                                                                                    let _e1879 = nodes.member[(0u + _e1528)].links[2u];
+                                                                                    phi_2377_ = _e1879;
+                                                                                } else {
+                                                                                    let _e1882 = nodes.member[(0u + _e1528)].links[3u];
+                                                                                    phi_2377_ = _e1882;
+                                                                                }
+                                                                                let _e1884 = phi_2377_;
+                                                                                let _e1889 = ((_e1884 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u);
+                                                                                let _e1890 = (_e1889 & 31u);
+                                                                                if (_e1890 >= 24u) {
+                                                                                    phi_2390_ = (24u + ((_e1890 - 24u) ^ _e1388));
+                                                                                } else {
+                                                                                    phi_2390_ = _e1890;
+                                                                                }
+                                                                                let _e1896 = phi_2390_;
+                                                                                phi_2395_ = (_e1798 | ((_e1889 >> bitcast<u32>(5i)) << bitcast<u32>((_e1896 & 31u))));
+                                                                            } else {
+                                                                                phi_2395_ = _e1798;
+                                                                            }
+                                                                            let _e1904 = phi_2395_;
+                                                                            phi_2396_ = _e1904;
+                                                                        } else {
+                                                                            phi_2396_ = _e1798;
+                                                                        }
+                                                                        let _e1906 = phi_2396_;
+                                                                        phi_2397_ = _e1906;
+                                                                    } else {
+                                                                        phi_2397_ = _e1798;
+                                                                    }
+                                                                    let _e1908 = phi_2397_;
+                                                                    phi_2267_ = (_e1796 + 1u);
+                                                                    phi_2270_ = _e1908;
+                                                                } else {
+                                                                    phi_2267_ = u32();
+                                                                    phi_2270_ = u32();
+                                                                }
+                                                                let _e1911 = phi_2267_;
+                                                                let _e1913 = phi_2270_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_2266_ = _e1911;
+                                                                    phi_2269_ = _e1913;
+                                                                    break if !(_e1799);
+                                                                }
+                                                            }
+                                                            let _e1917 = nodes.member[(0u + _e1528)].links[0u];
+                                                            let _e1921 = nodes.member[(0u + _e1528)].frame[3u];
+                                                            let _e1925 = local_6;
+                                                            if ((_e1925 & 4278190080u) == 0u) {
+                                                            } else {
+                                                                let _e1929 = local_1.group_mask;
+                                                                if ((_e1929 & 4278190080u) == 0u) {
+                                                                } else {
+                                                                    let _e1933 = local_1.len;
+                                                                    if (_e1933 < 32u) {
+                                                                        let _e1936 = local_1.group;
+                                                                        let _e1938 = local_1.len;
+                                                                        if (_e1938 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local_1.first[(0u + _e1938)] = _e1936;
+                                                                        let _e1944 = local_1.group_mask;
+                                                                        let _e1946 = local_1.len;
+                                                                        if (_e1946 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local_1.mask[(0u + _e1946)] = _e1944;
+                                                                        let _e1953 = local_1.len;
+                                                                        local_1.len = (_e1953 + 1u);
+                                                                    }
+                                                                }
+                                                                local_1.group = (_e1150 + _e1917);
+                                                                let _e1957 = local_7;
+                                                                local_1.group_mask = ((_e1957 & 4278190080u) | (_e1921 >> bitcast<u32>(24i)));
+                                                            }
+                                                            let _e1962 = local_8;
+                                                            phi_2455_ = _e1526;
+                                                            phi_2458_ = (_e1962 & 16777215u);
+                                                            loop {
+                                                                let _e1965 = phi_2455_;
+                                                                let _e1967 = phi_2458_;
+                                                                local_9 = _e1965;
+                                                                if (_e1967 == 0u) {
+                                                                    phi_2456_ = lt_bvh_Hit();
+                                                                    phi_2459_ = u32();
+                                                                    phi_3003_ = false;
+                                                                } else {
+                                                                    let _e1971 = nodes.member[(0u + _e1528)].links[1u];
+                                                                    let _e1976 = ((_e1152 + _e1971) + select(firstTrailingBit(_e1967), 32u, (_e1967 == 0u)));
+                                                                    if (_e1976 < _e81) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e1983 = triangles.member[(0u + _e1976)].v0_;
+                                                                    let _e1985 = (_e1983.x - _e1075);
+                                                                    let _e1987 = (_e1983.y - _e1088);
+                                                                    let _e1989 = (_e1983.z - _e1101);
+                                                                    if (_e1361 == 0u) {
+                                                                        phi_2503_ = vec3<f32>(_e1987, _e1989, _e1985);
+                                                                    } else {
+                                                                        if (_e1361 == 1u) {
+                                                                            phi_2502_ = vec3<f32>(_e1989, _e1985, _e1987);
+                                                                        } else {
+                                                                            phi_2502_ = (_e1983 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                        }
+                                                                        let _e1997 = phi_2502_;
+                                                                        phi_2503_ = _e1997;
+                                                                    }
+                                                                    let _e1999 = phi_2503_;
+                                                                    let _e2003 = (_e1999.x - (_e1372 * _e1999.z));
+                                                                    let _e2007 = (_e1999.y - (_e1375 * _e1999.z));
+                                                                    let _e2011 = triangles.member[(0u + _e1976)].v1_;
+                                                                    let _e2013 = (_e2011.x - _e1075);
+                                                                    let _e2015 = (_e2011.y - _e1088);
+                                                                    let _e2017 = (_e2011.z - _e1101);
+                                                                    if (_e1361 == 0u) {
+                                                                        phi_2535_ = vec3<f32>(_e2015, _e2017, _e2013);
+                                                                    } else {
+                                                                        if (_e1361 == 1u) {
+                                                                            phi_2534_ = vec3<f32>(_e2017, _e2013, _e2015);
+                                                                        } else {
+                                                                            phi_2534_ = (_e2011 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                        }
+                                                                        let _e2025 = phi_2534_;
+                                                                        phi_2535_ = _e2025;
+                                                                    }
+                                                                    let _e2027 = phi_2535_;
+                                                                    let _e2031 = (_e2027.x - (_e1372 * _e2027.z));
+                                                                    let _e2035 = (_e2027.y - (_e1375 * _e2027.z));
+                                                                    let _e2039 = triangles.member[(0u + _e1976)].v2_;
+                                                                    let _e2041 = (_e2039.x - _e1075);
+                                                                    let _e2043 = (_e2039.y - _e1088);
+                                                                    let _e2045 = (_e2039.z - _e1101);
+                                                                    if (_e1361 == 0u) {
+                                                                        phi_2567_ = vec3<f32>(_e2043, _e2045, _e2041);
+                                                                    } else {
+                                                                        if (_e1361 == 1u) {
+                                                                            phi_2566_ = vec3<f32>(_e2045, _e2041, _e2043);
+                                                                        } else {
+                                                                            phi_2566_ = (_e2039 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                        }
+                                                                        let _e2053 = phi_2566_;
+                                                                        phi_2567_ = _e2053;
+                                                                    }
+                                                                    let _e2055 = phi_2567_;
+                                                                    let _e2059 = (_e2055.x - (_e1372 * _e2055.z));
+                                                                    let _e2063 = (_e2055.y - (_e1375 * _e2055.z));
+                                                                    if (_e2031 < _e2059) {
+                                                                        phi_2588_ = true;
+                                                                    } else {
+                                                                        if (_e2031 == _e2059) {
+                                                                            phi_2587_ = (_e2035 < _e2063);
+                                                                        } else {
+                                                                            phi_2587_ = false;
+                                                                        }
+                                                                        let _e2070 = phi_2587_;
+                                                                        phi_2588_ = _e2070;
+                                                                    }
+                                                                    let _e2072 = phi_2588_;
+                                                                    if _e2072 {
+                                                                        phi_2592_ = _e2063;
+                                                                        phi_2593_ = _e2059;
+                                                                        phi_2594_ = _e2035;
+                                                                        phi_2595_ = _e2031;
+                                                                    } else {
+                                                                        phi_2592_ = _e2035;
+                                                                        phi_2593_ = _e2031;
+                                                                        phi_2594_ = _e2063;
+                                                                        phi_2595_ = _e2059;
+                                                                    }
+                                                                    let _e2074 = phi_2592_;
+                                                                    let _e2076 = phi_2593_;
+                                                                    let _e2078 = phi_2594_;
+                                                                    let _e2080 = phi_2595_;
+                                                                    let _e2083 = ((_e2080 * _e2074) - (_e2078 * _e2076));
+                                                                    if _e2072 {
+                                                                        phi_2603_ = -(_e2083);
+                                                                    } else {
+                                                                        phi_2603_ = _e2083;
+                                                                    }
+                                                                    let _e2086 = phi_2603_;
+                                                                    if (_e2059 < _e2003) {
+                                                                        phi_2614_ = true;
+                                                                    } else {
+                                                                        if (_e2059 == _e2003) {
+                                                                            phi_2613_ = (_e2063 < _e2007);
+                                                                        } else {
+                                                                            phi_2613_ = false;
+                                                                        }
+                                                                        let _e2091 = phi_2613_;
+                                                                        phi_2614_ = _e2091;
+                                                                    }
+                                                                    let _e2093 = phi_2614_;
+                                                                    if _e2093 {
+                                                                        phi_2618_ = _e2007;
+                                                                        phi_2619_ = _e2003;
+                                                                        phi_2620_ = _e2063;
+                                                                        phi_2621_ = _e2059;
+                                                                    } else {
+                                                                        phi_2618_ = _e2063;
+                                                                        phi_2619_ = _e2059;
+                                                                        phi_2620_ = _e2007;
+                                                                        phi_2621_ = _e2003;
+                                                                    }
+                                                                    let _e2095 = phi_2618_;
+                                                                    let _e2097 = phi_2619_;
+                                                                    let _e2099 = phi_2620_;
+                                                                    let _e2101 = phi_2621_;
+                                                                    let _e2104 = ((_e2101 * _e2095) - (_e2099 * _e2097));
+                                                                    if _e2093 {
+                                                                        phi_2629_ = -(_e2104);
+                                                                    } else {
+                                                                        phi_2629_ = _e2104;
+                                                                    }
+                                                                    let _e2107 = phi_2629_;
+                                                                    if (_e2003 < _e2031) {
+                                                                        phi_2640_ = true;
+                                                                    } else {
+                                                                        if (_e2003 == _e2031) {
+                                                                            phi_2639_ = (_e2007 < _e2035);
+                                                                        } else {
+                                                                            phi_2639_ = false;
+                                                                        }
+                                                                        let _e2112 = phi_2639_;
+                                                                        phi_2640_ = _e2112;
+                                                                    }
+                                                                    let _e2114 = phi_2640_;
+                                                                    if _e2114 {
+                                                                        phi_2644_ = _e2035;
+                                                                        phi_2645_ = _e2031;
+                                                                        phi_2646_ = _e2007;
+                                                                        phi_2647_ = _e2003;
+                                                                    } else {
+                                                                        phi_2644_ = _e2007;
+                                                                        phi_2645_ = _e2003;
+                                                                        phi_2646_ = _e2035;
+                                                                        phi_2647_ = _e2031;
+                                                                    }
+                                                                    let _e2116 = phi_2644_;
+                                                                    let _e2118 = phi_2645_;
+                                                                    let _e2120 = phi_2646_;
+                                                                    let _e2122 = phi_2647_;
+                                                                    let _e2125 = ((_e2122 * _e2116) - (_e2120 * _e2118));
+                                                                    if _e2114 {
+                                                                        phi_2655_ = -(_e2125);
+                                                                    } else {
+                                                                        phi_2655_ = _e2125;
+                                                                    }
+                                                                    let _e2128 = phi_2655_;
+                                                                    if (_e2086 >= 0f) {
+                                                                        if (_e2107 >= 0f) {
+                                                                            if (_e2128 >= 0f) {
+                                                                                phi_2670_ = ((_e2086 + _e2107) + _e2128);
+                                                                                phi_2671_ = false;
+                                                                            } else {
+                                                                                phi_2670_ = f32();
+                                                                                phi_2671_ = true;
+                                                                            }
+                                                                            let _e2135 = phi_2670_;
+                                                                            let _e2137 = phi_2671_;
+                                                                            phi_2672_ = _e2135;
+                                                                            phi_2673_ = _e2137;
+                                                                        } else {
+                                                                            phi_2672_ = f32();
+                                                                            phi_2673_ = true;
+                                                                        }
+                                                                        let _e2139 = phi_2672_;
+                                                                        let _e2141 = phi_2673_;
+                                                                        phi_2674_ = _e2139;
+                                                                        phi_2675_ = _e2141;
+                                                                    } else {
+                                                                        phi_2674_ = f32();
+                                                                        phi_2675_ = true;
+                                                                    }
+                                                                    let _e2143 = phi_2674_;
+                                                                    let _e2145 = phi_2675_;
+                                                                    if _e2145 {
+                                                                        if (_e2086 <= 0f) {
+                                                                            if (_e2107 <= 0f) {
+                                                                                let _e2148 = (_e2128 <= 0f);
+                                                                                if _e2148 {
+                                                                                }
+                                                                                phi_2693_ = ((_e2086 + _e2107) + _e2128);
+                                                                                phi_2694_ = false;
+                                                                                phi_2695_ = _e2148;
+                                                                            } else {
+                                                                                phi_2693_ = f32();
+                                                                                phi_2694_ = true;
+                                                                                phi_2695_ = false;
+                                                                            }
+                                                                            let _e2152 = phi_2693_;
+                                                                            let _e2154 = phi_2694_;
+                                                                            let _e2156 = phi_2695_;
+                                                                            phi_2696_ = _e2152;
+                                                                            phi_2697_ = _e2154;
+                                                                            phi_2698_ = _e2156;
+                                                                        } else {
+                                                                            phi_2696_ = f32();
+                                                                            phi_2697_ = true;
+                                                                            phi_2698_ = false;
+                                                                        }
+                                                                        let _e2158 = phi_2696_;
+                                                                        let _e2160 = phi_2697_;
+                                                                        let _e2162 = phi_2698_;
+                                                                        if _e2160 {
+                                                                            phi_2702_ = false;
+                                                                        } else {
+                                                                            phi_2702_ = _e2162;
+                                                                        }
+                                                                        let _e2164 = phi_2702_;
+                                                                        phi_2703_ = _e2158;
+                                                                        phi_2704_ = _e2164;
+                                                                    } else {
+                                                                        phi_2703_ = _e2143;
+                                                                        phi_2704_ = true;
+                                                                    }
+                                                                    let _e2166 = phi_2703_;
+                                                                    let _e2168 = phi_2704_;
+                                                                    if _e2168 {
+                                                                        let _e2169 = (_e2166 == 0f);
+                                                                        if _e2169 {
+                                                                            phi_2917_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2918_ = false;
+                                                                        } else {
+                                                                            let _e2175 = ((((_e2086 * (_e1377 * _e1999.z)) + (_e2107 * (_e1377 * _e2027.z))) + (_e2128 * (_e1377 * _e2055.z))) / _e2166);
+                                                                            if (_e2175 > _e165.tmin) {
+                                                                                if (_e2175 < _e165.tmax) {
+                                                                                    let _e2179 = triangles.member[(0u + _e1976)].v0_;
+                                                                                    let _e2181 = triangles.member[(0u + _e1976)].v1_;
+                                                                                    if (_e2179.x < _e2181.x) {
+                                                                                        phi_2738_ = _e2179.x;
+                                                                                    } else {
+                                                                                        phi_2738_ = _e2181.x;
+                                                                                    }
+                                                                                    let _e2188 = phi_2738_;
+                                                                                    if (_e2179.y < _e2181.y) {
+                                                                                        phi_2747_ = _e2179.y;
+                                                                                    } else {
+                                                                                        phi_2747_ = _e2181.y;
+                                                                                    }
+                                                                                    let _e2195 = phi_2747_;
+                                                                                    if (_e2179.z < _e2181.z) {
+                                                                                        phi_2756_ = _e2179.z;
+                                                                                    } else {
+                                                                                        phi_2756_ = _e2181.z;
+                                                                                    }
+                                                                                    let _e2202 = phi_2756_;
+                                                                                    let _e2204 = triangles.member[(0u + _e1976)].v2_;
+                                                                                    if (_e2188 < _e2204.x) {
+                                                                                        phi_2765_ = _e2188;
+                                                                                    } else {
+                                                                                        phi_2765_ = _e2204.x;
+                                                                                    }
+                                                                                    let _e2209 = phi_2765_;
+                                                                                    if (_e2195 < _e2204.y) {
+                                                                                        phi_2772_ = _e2195;
+                                                                                    } else {
+                                                                                        phi_2772_ = _e2204.y;
+                                                                                    }
+                                                                                    let _e2214 = phi_2772_;
+                                                                                    if (_e2202 < _e2204.z) {
+                                                                                        phi_2779_ = _e2202;
+                                                                                    } else {
+                                                                                        phi_2779_ = _e2204.z;
+                                                                                    }
+                                                                                    let _e2219 = phi_2779_;
+                                                                                    let _e2221 = triangles.member[(0u + _e1976)].v0_;
+                                                                                    let _e2223 = triangles.member[(0u + _e1976)].v1_;
+                                                                                    if (_e2221.x > _e2223.x) {
+                                                                                        phi_2792_ = _e2221.x;
+                                                                                    } else {
+                                                                                        phi_2792_ = _e2223.x;
+                                                                                    }
+                                                                                    let _e2230 = phi_2792_;
+                                                                                    if (_e2221.y > _e2223.y) {
+                                                                                        phi_2801_ = _e2221.y;
+                                                                                    } else {
+                                                                                        phi_2801_ = _e2223.y;
+                                                                                    }
+                                                                                    let _e2237 = phi_2801_;
+                                                                                    if (_e2221.z > _e2223.z) {
+                                                                                        phi_2810_ = _e2221.z;
+                                                                                    } else {
+                                                                                        phi_2810_ = _e2223.z;
+                                                                                    }
+                                                                                    let _e2244 = phi_2810_;
+                                                                                    let _e2246 = triangles.member[(0u + _e1976)].v2_;
+                                                                                    if (_e2230 > _e2246.x) {
+                                                                                        phi_2819_ = _e2230;
+                                                                                    } else {
+                                                                                        phi_2819_ = _e2246.x;
+                                                                                    }
+                                                                                    let _e2251 = phi_2819_;
+                                                                                    if (_e2237 > _e2246.y) {
+                                                                                        phi_2826_ = _e2237;
+                                                                                    } else {
+                                                                                        phi_2826_ = _e2246.y;
+                                                                                    }
+                                                                                    let _e2256 = phi_2826_;
+                                                                                    if (_e2244 > _e2246.z) {
+                                                                                        phi_2833_ = _e2244;
+                                                                                    } else {
+                                                                                        phi_2833_ = _e2246.z;
+                                                                                    }
+                                                                                    let _e2261 = phi_2833_;
+                                                                                    let _e2265 = ((_e2209 - _e1075) * _e1290);
+                                                                                    let _e2266 = ((_e2214 - _e1088) * _e1300);
+                                                                                    let _e2267 = ((_e2219 - _e1101) * _e1310);
+                                                                                    let _e2271 = ((_e2251 - _e1075) * _e1290);
+                                                                                    let _e2272 = ((_e2256 - _e1088) * _e1300);
+                                                                                    let _e2273 = ((_e2261 - _e1101) * _e1310);
+                                                                                    if (_e2265 < _e2271) {
+                                                                                        phi_2850_ = _e2265;
+                                                                                    } else {
+                                                                                        phi_2850_ = _e2271;
+                                                                                    }
+                                                                                    let _e2276 = phi_2850_;
+                                                                                    if (_e2266 < _e2272) {
+                                                                                        phi_2855_ = _e2266;
+                                                                                    } else {
+                                                                                        phi_2855_ = _e2272;
+                                                                                    }
+                                                                                    let _e2279 = phi_2855_;
+                                                                                    if (_e2267 < _e2273) {
+                                                                                        phi_2860_ = _e2267;
+                                                                                    } else {
+                                                                                        phi_2860_ = _e2273;
+                                                                                    }
+                                                                                    let _e2282 = phi_2860_;
+                                                                                    if (_e2265 > _e2271) {
+                                                                                        phi_2868_ = _e2265;
+                                                                                    } else {
+                                                                                        phi_2868_ = _e2271;
+                                                                                    }
+                                                                                    let _e2288 = phi_2868_;
+                                                                                    if (_e2266 > _e2272) {
+                                                                                        phi_2873_ = _e2266;
+                                                                                    } else {
+                                                                                        phi_2873_ = _e2272;
+                                                                                    }
+                                                                                    let _e2291 = phi_2873_;
+                                                                                    if (_e2267 > _e2273) {
+                                                                                        phi_2878_ = _e2267;
+                                                                                    } else {
+                                                                                        phi_2878_ = _e2273;
+                                                                                    }
+                                                                                    let _e2294 = phi_2878_;
+                                                                                    let _e2298 = core_intrinsics_maximum_number_nsz_f32_((_e2276 - _e1345), (_e2279 - _e1346));
+                                                                                    let _e2299 = core_intrinsics_maximum_number_nsz_f32_(_e2298, (_e2282 - _e1347));
+                                                                                    let _e2300 = core_intrinsics_minimum_number_nsz_f32_((_e2288 + _e1345), (_e2291 + _e1346));
+                                                                                    let _e2301 = core_intrinsics_minimum_number_nsz_f32_(_e2300, (_e2294 + _e1347));
+                                                                                    if (_e2299 > _e1050) {
+                                                                                        phi_2890_ = _e2299;
+                                                                                    } else {
+                                                                                        phi_2890_ = _e1050;
+                                                                                    }
+                                                                                    let _e2304 = phi_2890_;
+                                                                                    if (_e2301 < _e1052) {
+                                                                                        phi_2895_ = _e2301;
+                                                                                    } else {
+                                                                                        phi_2895_ = _e1052;
+                                                                                    }
+                                                                                    let _e2307 = phi_2895_;
+                                                                                    if (_e2175 < _e2304) {
+                                                                                        phi_2900_ = _e2304;
+                                                                                    } else {
+                                                                                        phi_2900_ = _e2175;
+                                                                                    }
+                                                                                    let _e2310 = phi_2900_;
+                                                                                    if (_e2310 > _e2307) {
+                                                                                        phi_2905_ = _e2307;
+                                                                                    } else {
+                                                                                        phi_2905_ = _e2310;
+                                                                                    }
+                                                                                    let _e2313 = phi_2905_;
+                                                                                    phi_2910_ = lt_bvh_triangle_Intersection(_e2313, (_e2107 / _e2166), (_e2128 / _e2166), (_e2304 <= _e2307));
+                                                                                    phi_2911_ = false;
+                                                                                } else {
+                                                                                    phi_2910_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2911_ = true;
+                                                                                }
+                                                                                let _e2319 = phi_2910_;
+                                                                                let _e2321 = phi_2911_;
+                                                                                phi_2912_ = _e2319;
+                                                                                phi_2913_ = _e2321;
+                                                                            } else {
+                                                                                phi_2912_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2913_ = true;
+                                                                            }
+                                                                            let _e2323 = phi_2912_;
+                                                                            let _e2325 = phi_2913_;
+                                                                            if _e2325 {
+                                                                            }
+                                                                            phi_2917_ = _e2323;
+                                                                            phi_2918_ = _e2325;
+                                                                        }
+                                                                        let _e2327 = phi_2917_;
+                                                                        let _e2329 = phi_2918_;
+                                                                        phi_2919_ = _e2327;
+                                                                        phi_2920_ = _e2169;
+                                                                        phi_2921_ = _e2329;
+                                                                    } else {
+                                                                        phi_2919_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2920_ = true;
+                                                                        phi_2921_ = false;
+                                                                    }
+                                                                    let _e2331 = phi_2919_;
+                                                                    let _e2333 = phi_2920_;
+                                                                    let _e2335 = phi_2921_;
+                                                                    if _e2333 {
+                                                                        phi_2925_ = true;
+                                                                    } else {
+                                                                        phi_2925_ = _e2335;
+                                                                    }
+                                                                    let _e2337 = phi_2925_;
+                                                                    if _e2337 {
+                                                                        phi_2929_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2929_ = _e2331;
+                                                                    }
+                                                                    let _e2339 = phi_2929_;
+                                                                    if _e2339.is_hit {
+                                                                        if (_e2339.t > _e165.tmin) {
+                                                                            if (_e2339.t < _e1965.t) {
+                                                                                phi_2977_ = true;
+                                                                            } else {
+                                                                                if (_e2339.t == _e1965.t) {
+                                                                                    if (_e1965.triangle != 4294967295u) {
+                                                                                        if (_e1976 < _e1965.triangle) {
+                                                                                            phi_2968_ = true;
+                                                                                        } else {
+                                                                                            if (_e1976 == _e1965.triangle) {
+                                                                                                phi_2967_ = (_e991 < _e1965.instance);
+                                                                                            } else {
+                                                                                                phi_2967_ = false;
+                                                                                            }
+                                                                                            let _e2357 = phi_2967_;
+                                                                                            phi_2968_ = _e2357;
+                                                                                        }
+                                                                                        let _e2359 = phi_2968_;
+                                                                                        phi_2969_ = _e2359;
+                                                                                        phi_2970_ = false;
+                                                                                    } else {
+                                                                                        phi_2969_ = bool();
+                                                                                        phi_2970_ = true;
+                                                                                    }
+                                                                                    let _e2361 = phi_2969_;
+                                                                                    let _e2363 = phi_2970_;
+                                                                                    phi_2971_ = _e2361;
+                                                                                    phi_2972_ = _e2363;
+                                                                                } else {
+                                                                                    phi_2971_ = bool();
+                                                                                    phi_2972_ = true;
+                                                                                }
+                                                                                let _e2365 = phi_2971_;
+                                                                                let _e2367 = phi_2972_;
+                                                                                if _e2367 {
+                                                                                    phi_2976_ = false;
+                                                                                } else {
+                                                                                    phi_2976_ = _e2365;
+                                                                                }
+                                                                                let _e2369 = phi_2976_;
+                                                                                phi_2977_ = _e2369;
+                                                                            }
+                                                                            let _e2371 = phi_2977_;
+                                                                            if _e2371 {
+                                                                                let _e2373 = triangles.member[(0u + _e1976)].i0_;
+                                                                                if ((_e2373 & 2147483648u) == 0u) {
+                                                                                    phi_2991_ = true;
+                                                                                } else {
+                                                                                    if true {
+                                                                                    }
+                                                                                    phi_2991_ = true;
+                                                                                }
+                                                                                let _e2377 = phi_2991_;
+                                                                                if _e2377 {
+                                                                                    phi_2999_ = lt_bvh_Hit(_e2339.t, _e2339.u, _e2339.v, _e1976, _e991);
+                                                                                } else {
+                                                                                    phi_2999_ = _e1965;
+                                                                                }
+                                                                                let _e2383 = phi_2999_;
+                                                                                phi_3000_ = _e2383;
+                                                                            } else {
+                                                                                phi_3000_ = _e1965;
+                                                                            }
+                                                                            let _e2385 = phi_3000_;
+                                                                            phi_3001_ = _e2385;
+                                                                        } else {
+                                                                            phi_3001_ = _e1965;
+                                                                        }
+                                                                        let _e2387 = phi_3001_;
+                                                                        phi_3002_ = _e2387;
+                                                                    } else {
+                                                                        phi_3002_ = _e1965;
+                                                                    }
+                                                                    let _e2389 = phi_3002_;
+                                                                    phi_2456_ = _e2389;
+                                                                    phi_2459_ = (_e1967 & (_e1967 - 1u));
+                                                                    phi_3003_ = true;
+                                                                }
+                                                                let _e2391 = phi_2456_;
+                                                                let _e2393 = phi_2459_;
+                                                                let _e2395 = phi_3003_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_2455_ = _e2391;
+                                                                    phi_2458_ = _e2393;
+                                                                    break if !(_e2395);
+                                                                }
+                                                            }
+                                                            let _e2398 = local_1.group_mask;
+                                                            if ((_e2398 & 4278190080u) == 0u) {
+                                                                let _e2402 = local_1.len;
+                                                                if (_e2402 == 0u) {
+                                                                    phi_3042_ = false;
+                                                                } else {
+                                                                    let _e2406 = local_1.len;
+                                                                    local_1.len = (_e2406 - 1u);
+                                                                    let _e2409 = local_1.len;
+                                                                    if (_e2409 < 32u) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e2414 = local_1.first[(0u + _e2409)];
+                                                                    local_1.group = _e2414;
+                                                                    let _e2417 = local_1.len;
+                                                                    if (_e2417 < 32u) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e2422 = local_1.mask[(0u + _e2417)];
+                                                                    local_1.group_mask = _e2422;
+                                                                    phi_3042_ = true;
+                                                                }
+                                                                let _e2425 = phi_3042_;
+                                                                phi_3043_ = _e2425;
+                                                            } else {
+                                                                phi_3043_ = true;
+                                                            }
+                                                            let _e2427 = phi_3043_;
+                                                            if _e2427 {
+                                                                let _e2429 = local_1.group_mask;
+                                                                let _e2435 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2429)), 32u, (_e2429 == 0u)));
+                                                                let _e2439 = local_1.group_mask;
+                                                                let _e2453 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2453 & ~((1u << bitcast<u32>((_e2435 & 31u)))));
+                                                                let _e2456 = local_1.group;
+                                                                phi_3074_ = (_e2456 + countOneBits(((_e2439 & ~((4294967295u << bitcast<u32>((((_e2435 - 24u) ^ _e1388) & 31u))))) & 255u)));
+                                                            } else {
+                                                                phi_3074_ = 4294967295u;
+                                                            }
+                                                            let _e2459 = phi_3074_;
+                                                            let _e3775 = local_9;
+                                                            phi_2123_ = _e3775;
+                                                            phi_2126_ = _e2459;
+                                                        } else {
+                                                            phi_2123_ = lt_bvh_Hit();
+                                                            phi_2126_ = u32();
+                                                        }
+                                                        let _e2461 = phi_2123_;
+                                                        let _e2463 = phi_2126_;
+                                                        continue;
+                                                        continuing {
+                                                            phi_2122_ = _e2461;
+                                                            phi_2125_ = _e2463;
+                                                            break if !(_e1529);
+                                                        }
+                                                    }
+                                                    let _e3779 = local_10;
+                                                    phi_3075_ = _e3779;
+                                                }
+                                                let _e2466 = phi_3075_;
+                                                phi_3076_ = _e2466;
+                                                phi_3077_ = _e1214;
+                                            } else {
+                                                phi_3076_ = lt_bvh_Hit();
+                                                phi_3077_ = true;
+                                            }
+                                            let _e2468 = phi_3076_;
+                                            let _e2470 = phi_3077_;
+                                            if _e2470 {
+                                                phi_3081_ = _e983;
+                                            } else {
+                                                phi_3081_ = _e2468;
+                                            }
+                                            let _e2472 = phi_3081_;
+                                            phi_3082_ = _e2472;
+                                        } else {
+                                            phi_3082_ = _e983;
+                                        }
+                                        let _e2474 = phi_3082_;
+                                        phi_3083_ = _e2474;
+                                    } else {
+                                        phi_3083_ = _e983;
+                                    }
+                                    let _e2476 = phi_3083_;
+                                    phi_3084_ = _e2476;
+                                } else {
+                                    phi_3084_ = _e983;
+                                }
+                                let _e2478 = phi_3084_;
+                                phi_1497_ = (_e981 & (_e981 - 1u));
+                                phi_1500_ = _e2478;
+                                phi_3085_ = true;
+                            }
+                            let _e2480 = phi_1497_;
+                            let _e2482 = phi_1500_;
+                            let _e2484 = phi_3085_;
+                            continue;
+                            continuing {
+                                phi_1496_ = _e2480;
+                                phi_1499_ = _e2482;
+                                break if !(_e2484);
+                            }
+                        }
+                        let _e2487 = local_2.group_mask;
+                        if ((_e2487 & 4278190080u) == 0u) {
+                            let _e2491 = local_2.len;
+                            if (_e2491 == 0u) {
+                                phi_3124_ = false;
+                            } else {
+                                let _e2495 = local_2.len;
+                                local_2.len = (_e2495 - 1u);
+                                let _e2498 = local_2.len;
+                                if (_e2498 < 32u) {
+                                } else {
+                                    return;
+                                }
+                                let _e2503 = local_2.first[(0u + _e2498)];
+                                local_2.group = _e2503;
+                                let _e2506 = local_2.len;
+                                if (_e2506 < 32u) {
+                                } else {
+                                    return;
+                                }
+                                let _e2511 = local_2.mask[(0u + _e2506)];
+                                local_2.group_mask = _e2511;
+                                phi_3124_ = true;
+                            }
+                            let _e2514 = phi_3124_;
+                            phi_3125_ = _e2514;
+                        } else {
+                            phi_3125_ = true;
+                        }
+                        let _e2516 = phi_3125_;
+                        if _e2516 {
+                            let _e2518 = local_2.group_mask;
+                            let _e2524 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2518)), 32u, (_e2518 == 0u)));
+                            let _e2528 = local_2.group_mask;
+                            let _e2542 = local_2.group_mask;
+                            local_2.group_mask = (_e2542 & ~((1u << bitcast<u32>((_e2524 & 31u)))));
+                            let _e2545 = local_2.group;
+                            phi_3156_ = (_e2545 + countOneBits(((_e2528 & ~((4294967295u << bitcast<u32>((((_e2524 - 24u) ^ _e400) & 31u))))) & 255u)));
+                        } else {
+                            phi_3156_ = 4294967295u;
+                        }
+                        let _e2548 = phi_3156_;
+                        phi_1160_ = _e2548;
+                        let _e3795 = local_11;
+                        phi_1163_ = _e3795;
+                    } else {
+                        phi_1160_ = u32();
+                        phi_1163_ = lt_bvh_Hit();
+                    }
+                    let _e2550 = phi_1160_;
+                    let _e2552 = phi_1163_;
+                    continue;
+                    continuing {
+                        phi_1159_ = _e2550;
+                        phi_1162_ = _e2552;
+                        break if !(_e541);
+                    }
+                }
+                let _e3798 = local_12;
+                phi_3157_ = _e3798;
+            }
+            let _e2555 = phi_3157_;
+            phi_3158_ = _e2555;
+            phi_3159_ = _e237;
+        } else {
+            phi_3158_ = lt_bvh_Hit();
+            phi_3159_ = true;
+        }
+        let _e2557 = phi_3158_;
+        let _e2559 = phi_3159_;
+        if _e2559 {
+            phi_3163_ = _e167;
+        } else {
+            phi_3163_ = _e2557;
+        }
+        let _e2561 = phi_3163_;
+        if (_e2561.triangle != 4294967295u) {
+            let _e2567 = ((1f - _e2561.u) - _e2561.v);
+            if (_e2561.triangle < _e81) {
+            } else {
+                return;
+            }
+            let _e2572 = triangles.member[(0u + _e2561.triangle)];
+            if (_e2561.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e2583 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
+            let _e2594 = ((((_e2583.x * _e2572.v0_.x) + (_e2583.y * _e2572.v0_.y)) + (_e2583.z * _e2572.v0_.z)) + (_e2583.w * 1f));
+            let _e2596 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
+            let _e2607 = ((((_e2596.x * _e2572.v0_.x) + (_e2596.y * _e2572.v0_.y)) + (_e2596.z * _e2572.v0_.z)) + (_e2596.w * 1f));
+            let _e2609 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
+            let _e2620 = ((((_e2609.x * _e2572.v0_.x) + (_e2609.y * _e2572.v0_.y)) + (_e2609.z * _e2572.v0_.z)) + (_e2609.w * 1f));
+            let _e2627 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
+            let _e2638 = ((((_e2627.x * _e2572.v1_.x) + (_e2627.y * _e2572.v1_.y)) + (_e2627.z * _e2572.v1_.z)) + (_e2627.w * 1f));
+            let _e2640 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
+            let _e2651 = ((((_e2640.x * _e2572.v1_.x) + (_e2640.y * _e2572.v1_.y)) + (_e2640.z * _e2572.v1_.z)) + (_e2640.w * 1f));
+            let _e2653 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
+            let _e2664 = ((((_e2653.x * _e2572.v1_.x) + (_e2653.y * _e2572.v1_.y)) + (_e2653.z * _e2572.v1_.z)) + (_e2653.w * 1f));
+            let _e2671 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
+            let _e2682 = ((((_e2671.x * _e2572.v2_.x) + (_e2671.y * _e2572.v2_.y)) + (_e2671.z * _e2572.v2_.z)) + (_e2671.w * 1f));
+            let _e2684 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
+            let _e2695 = ((((_e2684.x * _e2572.v2_.x) + (_e2684.y * _e2572.v2_.y)) + (_e2684.z * _e2572.v2_.z)) + (_e2684.w * 1f));
+            let _e2697 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
+            let _e2708 = ((((_e2697.x * _e2572.v2_.x) + (_e2697.y * _e2572.v2_.y)) + (_e2697.z * _e2572.v2_.z)) + (_e2697.w * 1f));
+            let _e2721 = (((_e2594 * _e2567) + (_e2638 * _e2561.u)) + (_e2682 * _e2561.v));
+            let _e2722 = (((_e2607 * _e2567) + (_e2651 * _e2561.u)) + (_e2695 * _e2561.v));
+            let _e2723 = (((_e2620 * _e2567) + (_e2664 * _e2561.u)) + (_e2708 * _e2561.v));
+            let _e2725 = abs(_e2594);
+            let _e2726 = abs(_e2607);
+            let _e2727 = abs(_e2620);
+            let _e2728 = abs(_e2638);
+            let _e2729 = abs(_e2651);
+            let _e2730 = abs(_e2664);
+            if (_e2725 > _e2728) {
+                phi_3350_ = _e2725;
+            } else {
+                phi_3350_ = _e2728;
+            }
+            let _e2733 = phi_3350_;
+            if (_e2726 > _e2729) {
+                phi_3355_ = _e2726;
+            } else {
+                phi_3355_ = _e2729;
+            }
+            let _e2736 = phi_3355_;
+            if (_e2727 > _e2730) {
+                phi_3360_ = _e2727;
+            } else {
+                phi_3360_ = _e2730;
+            }
+            let _e2739 = phi_3360_;
+            let _e2740 = abs(_e2682);
+            let _e2741 = abs(_e2695);
+            let _e2742 = abs(_e2708);
+            if (_e2733 > _e2740) {
+                phi_3368_ = _e2733;
+            } else {
+                phi_3368_ = _e2740;
+            }
+            let _e2745 = phi_3368_;
+            if (_e2736 > _e2741) {
+                phi_3373_ = _e2736;
+            } else {
+                phi_3373_ = _e2741;
+            }
+            let _e2748 = phi_3373_;
+            if (_e2739 > _e2742) {
+                phi_3378_ = _e2739;
+            } else {
+                phi_3378_ = _e2742;
+            }
+            let _e2751 = phi_3378_;
+            let _e2752 = (_e2638 - _e2594);
+            let _e2753 = (_e2651 - _e2607);
+            let _e2754 = (_e2664 - _e2620);
+            let _e2755 = (_e2682 - _e2594);
+            let _e2756 = (_e2695 - _e2607);
+            let _e2757 = (_e2708 - _e2620);
+            let _e2761 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2753), abs(_e2754));
+            let _e2762 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2752), _e2761);
+            let _e2763 = (_e2752 / _e2762);
+            let _e2764 = (_e2753 / _e2762);
+            let _e2765 = (_e2754 / _e2762);
+            let _e2769 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2756), abs(_e2757));
+            let _e2770 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2755), _e2769);
+            let _e2771 = (_e2755 / _e2770);
+            let _e2772 = (_e2756 / _e2770);
+            let _e2773 = (_e2757 / _e2770);
+            let _e2776 = ((_e2764 * _e2773) - (_e2772 * _e2765));
+            let _e2779 = ((_e2765 * _e2771) - (_e2773 * _e2763));
+            let _e2782 = ((_e2763 * _e2772) - (_e2771 * _e2764));
+            let _e2784 = p.member.eye;
+            let _e2797 = (1f / sqrt((((_e2776 * _e2776) + (_e2779 * _e2779)) + (_e2782 * _e2782))));
+            let _e2798 = (_e2776 * _e2797);
+            let _e2799 = (_e2779 * _e2797);
+            let _e2800 = (_e2782 * _e2797);
+            if ((((_e2798 * (_e2784.x - _e2721)) + (_e2799 * (_e2784.y - _e2722))) + (_e2800 * (_e2784.z - _e2723))) < 0f) {
+                phi_3442_ = vec3<f32>(-(_e2798), -(_e2799), -(_e2800));
+            } else {
+                phi_3442_ = vec3<f32>(_e2798, _e2799, _e2800);
+            }
+            let _e2813 = phi_3442_;
+            if (_e2561.triangle < _e81) {
+            } else {
+                return;
+            }
+            let _e2818 = triangles.member[(0u + _e2561.triangle)];
+            let _e2820 = (_e2818.i0_ & 2147483647u);
+            if (_e2820 < _e84) {
+            } else {
+                return;
+            }
+            let _e2826 = vertices.member[(0u + _e2820)];
+            if (_e2818.i1_ < _e84) {
+            } else {
+                return;
+            }
+            let _e2830 = vertices.member[(0u + _e2818.i1_)];
+            if (_e2818.i2_ < _e84) {
+            } else {
+                return;
+            }
+            let _e2834 = vertices.member[(0u + _e2818.i2_)];
+            let _e2835 = array<abi_Vertex, 3>(_e2826, _e2830, _e2834);
+            if (_e2835[0].material < arrayLength((&materials.member))) {
+            } else {
+                return;
+            }
+            let _e2841 = materials.member[(0u + _e2835[0].material)];
+            let _e2858 = (1f / 255f);
+            let _e2877 = (1f / 255f);
+            let _e2899 = (1f / 255f);
+            if (_e2841.color_size == 0u) {
+                phi_3685_ = vec3<f32>(1f, 1f, 1f);
+            } else {
+                local.offset = _e2841.color_offset;
+                local.size = _e2841.color_size;
+                local.flags = _e2841.flags;
+                let _e2942 = _lt_shaders_texture_TextureView_quad((&local), (((_e2835[0].u * _e2567) + (_e2835[1].u * _e2561.u)) + (_e2835[2].u * _e2561.v)), (((_e2835[0].v * _e2567) + (_e2835[1].v * _e2561.u)) + (_e2835[2].v * _e2561.v)));
+                if (_e2942.indices[0] < _e96) {
+                } else {
+                    return;
+                }
+                let _e2948 = color_texels.member[(0u + _e2942.indices[0])];
+                let _e2959 = (1f / 255f);
+                if (_e2942.indices[1] < _e96) {
+                } else {
+                    return;
+                }
+                let _e2973 = color_texels.member[(0u + _e2942.indices[1])];
+                let _e2984 = (1f / 255f);
+                if (_e2942.indices[2] < _e96) {
+                } else {
+                    return;
+                }
+                let _e3001 = color_texels.member[(0u + _e2942.indices[2])];
+                let _e3012 = (1f / 255f);
+                if (_e2942.indices[3] < _e96) {
+                } else {
+                    return;
+                }
+                let _e3029 = color_texels.member[(0u + _e2942.indices[3])];
+                let _e3040 = (1f / 255f);
+                let _e3049 = (((((f32((_e2948 & 255u)) * _e2959) * _e2942.weights.x) + ((f32((_e2973 & 255u)) * _e2984) * _e2942.weights.y)) + ((f32((_e3001 & 255u)) * _e3012) * _e2942.weights.z)) + ((f32((_e3029 & 255u)) * _e3040) * _e2942.weights.w));
+                let _e3050 = (((((f32(((_e2948 >> bitcast<u32>(8i)) & 255u)) * _e2959) * _e2942.weights.x) + ((f32(((_e2973 >> bitcast<u32>(8i)) & 255u)) * _e2984) * _e2942.weights.y)) + ((f32(((_e3001 >> bitcast<u32>(8i)) & 255u)) * _e3012) * _e2942.weights.z)) + ((f32(((_e3029 >> bitcast<u32>(8i)) & 255u)) * _e3040) * _e2942.weights.w));
+                let _e3051 = (((((f32(((_e2948 >> bitcast<u32>(16i)) & 255u)) * _e2959) * _e2942.weights.x) + ((f32(((_e2973 >> bitcast<u32>(16i)) & 255u)) * _e2984) * _e2942.weights.y)) + ((f32(((_e3001 >> bitcast<u32>(16i)) & 255u)) * _e3012) * _e2942.weights.z)) + ((f32(((_e3029 >> bitcast<u32>(16i)) & 255u)) * _e3040) * _e2942.weights.w));
+                phi_3685_ = vec3<f32>((_e3049 * _e3049), (_e3050 * _e3050), (_e3051 * _e3051));
+            }
+            let _e3057 = phi_3685_;
+            let _e3059 = ((_e2841.base_color.x * ((((f32((_e2835[0].color & 255u)) * _e2858) * _e2567) + ((f32((_e2835[1].color & 255u)) * _e2877) * _e2561.u)) + ((f32((_e2835[2].color & 255u)) * _e2899) * _e2561.v))) * _e3057.x);
+            let _e3061 = ((_e2841.base_color.y * ((((f32(((_e2835[0].color >> bitcast<u32>(8i)) & 255u)) * _e2858) * _e2567) + ((f32(((_e2835[1].color >> bitcast<u32>(8i)) & 255u)) * _e2877) * _e2561.u)) + ((f32(((_e2835[2].color >> bitcast<u32>(8i)) & 255u)) * _e2899) * _e2561.v))) * _e3057.y);
+            let _e3063 = ((_e2841.base_color.z * ((((f32(((_e2835[0].color >> bitcast<u32>(16i)) & 255u)) * _e2858) * _e2567) + ((f32(((_e2835[1].color >> bitcast<u32>(16i)) & 255u)) * _e2877) * _e2561.u)) + ((f32(((_e2835[2].color >> bitcast<u32>(16i)) & 255u)) * _e2899) * _e2561.v))) * _e3057.z);
+            let _e3064 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2748, _e2751);
+            let _e3065 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2745, _e3064);
+            if ((_e2841.flags & 2u) == 0u) {
+                phi_3700_ = 0u;
+            } else {
+                phi_3700_ = 1u;
+            }
+            let _e3070 = phi_3700_;
+            if (_e2835[0].normal == 2147516416u) {
+                phi_3930_ = _e2813;
+            } else {
+                let _e3083 = (f32((bitcast<i32>((_e2835[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3089 = (f32((bitcast<i32>(_e2835[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3093 = ((1f - abs(_e3083)) - abs(_e3089));
+                if (_e3093 < 0f) {
+                    phi_3727_ = -(_e3093);
+                } else {
+                    phi_3727_ = 0f;
+                }
+                let _e3097 = phi_3727_;
+                if (_e3083 < 0f) {
+                    phi_3734_ = (_e3083 + _e3097);
+                } else {
+                    phi_3734_ = (_e3083 - _e3097);
+                }
+                let _e3102 = phi_3734_;
+                if (_e3089 < 0f) {
+                    phi_3741_ = (_e3089 + _e3097);
+                } else {
+                    phi_3741_ = (_e3089 - _e3097);
+                }
+                let _e3107 = phi_3741_;
+                let _e3114 = (1f / sqrt((((_e3102 * _e3102) + (_e3107 * _e3107)) + (_e3093 * _e3093))));
+                let _e3130 = (f32((bitcast<i32>((_e2835[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3136 = (f32((bitcast<i32>(_e2835[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3140 = ((1f - abs(_e3130)) - abs(_e3136));
+                if (_e3140 < 0f) {
+                    phi_3776_ = -(_e3140);
+                } else {
+                    phi_3776_ = 0f;
+                }
+                let _e3144 = phi_3776_;
+                if (_e3130 < 0f) {
+                    phi_3783_ = (_e3130 + _e3144);
+                } else {
+                    phi_3783_ = (_e3130 - _e3144);
+                }
+                let _e3149 = phi_3783_;
+                if (_e3136 < 0f) {
+                    phi_3790_ = (_e3136 + _e3144);
+                } else {
+                    phi_3790_ = (_e3136 - _e3144);
+                }
+                let _e3154 = phi_3790_;
+                let _e3161 = (1f / sqrt((((_e3149 * _e3149) + (_e3154 * _e3154)) + (_e3140 * _e3140))));
+                let _e3180 = (f32((bitcast<i32>((_e2835[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3186 = (f32((bitcast<i32>(_e2835[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3190 = ((1f - abs(_e3180)) - abs(_e3186));
+                if (_e3190 < 0f) {
+                    phi_3828_ = -(_e3190);
+                } else {
+                    phi_3828_ = 0f;
+                }
+                let _e3194 = phi_3828_;
+                if (_e3180 < 0f) {
+                    phi_3835_ = (_e3180 + _e3194);
+                } else {
+                    phi_3835_ = (_e3180 - _e3194);
+                }
+                let _e3199 = phi_3835_;
+                if (_e3186 < 0f) {
+                    phi_3842_ = (_e3186 + _e3194);
+                } else {
+                    phi_3842_ = (_e3186 - _e3194);
+                }
+                let _e3204 = phi_3842_;
+                let _e3211 = (1f / sqrt((((_e3199 * _e3199) + (_e3204 * _e3204)) + (_e3190 * _e3190))));
+                let _e3218 = ((((_e3102 * _e3114) * _e2567) + ((_e3149 * _e3161) * _e2561.u)) + ((_e3199 * _e3211) * _e2561.v));
+                let _e3219 = ((((_e3107 * _e3114) * _e2567) + ((_e3154 * _e3161) * _e2561.u)) + ((_e3204 * _e3211) * _e2561.v));
+                let _e3220 = ((((_e3093 * _e3114) * _e2567) + ((_e3140 * _e3161) * _e2561.u)) + ((_e3190 * _e3211) * _e2561.v));
+                if (_e2561.instance < _e93) {
+                } else {
+                    return;
+                }
+                let _e3227 = instances.member[(0u + _e2561.instance)].world_to_object[0u];
+                let _e3236 = instances.member[(0u + _e2561.instance)].world_to_object[1u];
+                let _e3248 = instances.member[(0u + _e2561.instance)].world_to_object[2u];
+                let _e3255 = (((_e3227.x * _e3218) + (_e3236.x * _e3219)) + (_e3248.x * _e3220));
+                let _e3256 = (((_e3227.y * _e3218) + (_e3236.y * _e3219)) + (_e3248.y * _e3220));
+                let _e3257 = (((_e3227.z * _e3218) + (_e3236.z * _e3219)) + (_e3248.z * _e3220));
+                let _e3263 = sqrt((((_e3255 * _e3255) + (_e3256 * _e3256)) + (_e3257 * _e3257)));
+                if (_e3263 > 0f) {
+                    let _e3265 = (_e3255 / _e3263);
+                    let _e3266 = (_e3256 / _e3263);
+                    let _e3267 = (_e3257 / _e3263);
+                    if ((((_e3265 * _e2813.x) + (_e3266 * _e2813.y)) + (_e3267 * _e2813.z)) < 0f) {
+                        phi_3928_ = vec3<f32>(-(_e3265), -(_e3266), -(_e3267));
+                    } else {
+                        phi_3928_ = vec3<f32>(_e3265, _e3266, _e3267);
+                    }
+                    let _e3283 = phi_3928_;
+                    phi_3929_ = _e3283;
+                } else {
+                    phi_3929_ = _e2813;
+                }
+                let _e3285 = phi_3929_;
+                phi_3930_ = _e3285;
+            }
+            let _e3287 = phi_3930_;
+            if (_e3059 > 0f) {
+                if (_e3059 < 1f) {
+                    phi_3939_ = _e3059;
+                } else {
+                    phi_3939_ = 1f;
+                }
+                let _e3291 = phi_3939_;
+                phi_3940_ = _e3291;
+            } else {
+                phi_3940_ = 0f;
+            }
+            let _e3293 = phi_3940_;
+            if (_e3061 > 0f) {
+                if (_e3061 < 1f) {
+                    phi_3950_ = _e3061;
+                } else {
+                    phi_3950_ = 1f;
+                }
+                let _e3298 = phi_3950_;
+                phi_3951_ = _e3298;
+            } else {
+                phi_3951_ = 0f;
+            }
+            let _e3300 = phi_3951_;
+            if (_e3063 > 0f) {
+                if (_e3063 < 1f) {
+                    phi_3961_ = _e3063;
+                } else {
+                    phi_3961_ = 1f;
+                }
+                let _e3305 = phi_3961_;
+                phi_3962_ = _e3305;
+            } else {
+                phi_3962_ = 0f;
+            }
+            let _e3307 = phi_3962_;
+            let _e3310 = ((sqrt(_e3293) * 255f) + 0.5f);
+            let _e3319 = ((sqrt(_e3300) * 255f) + 0.5f);
+            let _e3331 = ((sqrt(_e3307) * 255f) + 0.5f);
+            phi_3997_ = abi_Sample(vec3<f32>(_e2721, _e2722, _e2723), _e3065, _e2813, _e3070, _e3287, ((select(select(u32(_e3310), 0u, (_e3310 < bitcast<f32>(0u))), 4294967295u, (_e3310 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3319), 0u, (_e3319 < bitcast<f32>(0u))), 4294967295u, (_e3319 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3331), 0u, (_e3331 < bitcast<f32>(0u))), 4294967295u, (_e3331 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+        } else {
+            phi_3997_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+        }
+        let _e3345 = phi_3997_;
+        if (_e108.first_primitive < arrayLength((&samples.member))) {
+        } else {
+            return;
+        }
+        samples.member[(0u + _e108.first_primitive)] = _e3345;
+        if (_e2561.triangle != 4294967295u) {
+            let _e3354 = ((1f - _e2561.u) - _e2561.v);
+            if (_e2561.triangle < _e81) {
+            } else {
+                return;
+            }
+            let _e3359 = triangles.member[(0u + _e2561.triangle)];
+            if (_e3359.i0_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3364 = before.member[(0u + _e3359.i0_)];
+            if (_e3359.i1_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3369 = before.member[(0u + _e3359.i1_)];
+            if (_e3359.i2_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3374 = before.member[(0u + _e3359.i2_)];
+            if (_e2561.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3384 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
+            let _e3397 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
+            let _e3410 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
+            if (_e2561.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3434 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
+            let _e3447 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
+            let _e3460 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
+            if (_e2561.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3487 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
+            let _e3500 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
+            let _e3513 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
+            phi_4219_ = vec3<f32>((((((((_e3384.x * _e3364.x) + (_e3384.y * _e3364.y)) + (_e3384.z * _e3364.z)) + (_e3384.w * 1f)) * _e3354) + (((((_e3434.x * _e3369.x) + (_e3434.y * _e3369.y)) + (_e3434.z * _e3369.z)) + (_e3434.w * 1f)) * _e2561.u)) + (((((_e3487.x * _e3374.x) + (_e3487.y * _e3374.y)) + (_e3487.z * _e3374.z)) + (_e3487.w * 1f)) * _e2561.v)), (((((((_e3397.x * _e3364.x) + (_e3397.y * _e3364.y)) + (_e3397.z * _e3364.z)) + (_e3397.w * 1f)) * _e3354) + (((((_e3447.x * _e3369.x) + (_e3447.y * _e3369.y)) + (_e3447.z * _e3369.z)) + (_e3447.w * 1f)) * _e2561.u)) + (((((_e3500.x * _e3374.x) + (_e3500.y * _e3374.y)) + (_e3500.z * _e3374.z)) + (_e3500.w * 1f)) * _e2561.v)), (((((((_e3410.x * _e3364.x) + (_e3410.y * _e3364.y)) + (_e3410.z * _e3364.z)) + (_e3410.w * 1f)) * _e3354) + (((((_e3460.x * _e3369.x) + (_e3460.y * _e3369.y)) + (_e3460.z * _e3369.z)) + (_e3460.w * 1f)) * _e2561.u)) + (((((_e3513.x * _e3374.x) + (_e3513.y * _e3374.y)) + (_e3513.z * _e3374.z)) + (_e3513.w * 1f)) * _e2561.v)));
+        } else {
+            phi_4219_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e3533 = phi_4219_;
+        if (_e108.first_primitive < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3533.x, _e3533.y, _e3533.z, 1f);
+    }
+    return;
+}
+
+@compute @workgroup_size(8, 8, 1) 
+fn entry_camera_camera_instanced_color_motion_cs(@builtin(global_invocation_id) id: vec3<u32>) {
+    id_1 = id;
+    function_();
+}

@@ -1,0 +1,2675 @@
+struct abi_CameraParams {
+    eye: vec3<f32>,
+    root: u32,
+    right: vec3<f32>,
+    pad0_: u32,
+    up: vec3<f32>,
+    pad1_: u32,
+    forward: vec3<f32>,
+    pad2_: u32,
+    size: vec2<u32>,
+    pad3_: vec2<u32>,
+}
+
+struct abi_Sample {
+    position: vec3<f32>,
+    magnitude: f32,
+    normal: vec3<f32>,
+    flags: u32,
+    shading_normal: vec3<f32>,
+    albedo: u32,
+}
+
+struct type_9 {
+    member: array<abi_Sample>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
+struct type_22 {
+    member: array<vec4<f32>>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_27 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_31 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    pad: vec2<u32>,
+}
+
+struct type_35 {
+    member: array<abi_Material>,
+}
+
+struct lt_bvh_Instance {
+    world_to_object: array<vec4<f32>, 3>,
+    object_to_world: array<vec4<f32>, 3>,
+    low_world: vec3<f32>,
+    root: u32,
+    high_world: vec3<f32>,
+    first_triangle: u32,
+    source: u32,
+    padding: array<u32, 3>,
+}
+
+struct type_45 {
+    member: array<lt_bvh_Instance>,
+}
+
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
+struct type_51 {
+    member: abi_CameraParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_56 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Ray {
+    origin: vec3<f32>,
+    tmin: f32,
+    direction: vec3<f32>,
+    tmax: f32,
+}
+
+struct lt_bvh_Hit {
+    t: f32,
+    u: f32,
+    v: f32,
+    triangle: u32,
+    instance: u32,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+var<private> id_1: vec3<u32>;
+@group(0) @binding(3) 
+var<storage> vertices: type_31;
+@group(0) @binding(4) 
+var<storage> materials: type_35;
+@group(0) @binding(0) 
+var<uniform> p: type_51;
+@group(0) @binding(1) 
+var<storage> nodes: type_56;
+@group(0) @binding(2) 
+var<storage> triangles: type_27;
+@group(0) @binding(5) 
+var<storage, read_write> samples: type_9;
+@group(0) @binding(6) 
+var<storage> instances: type_45;
+@group(0) @binding(7) 
+var<storage> before: type_22;
+@group(0) @binding(8) 
+var<storage, read_write> past: type_22;
+
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_203_: lt_bvh_traverse_Tree;
+    var phi_204_: bool;
+    var phi_205_: lt_bvh_traverse_Tree;
+    var phi_206_: bool;
+    var phi_211_: lt_bvh_traverse_Tree;
+
+    if (param.x < param_1) {
+        if (param.y < param_2) {
+            phi_203_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_204_ = false;
+        } else {
+            phi_203_ = lt_bvh_traverse_Tree();
+            phi_204_ = true;
+        }
+        let _e76 = phi_203_;
+        let _e78 = phi_204_;
+        phi_205_ = _e76;
+        phi_206_ = _e78;
+    } else {
+        phi_205_ = lt_bvh_traverse_Tree();
+        phi_206_ = true;
+    }
+    let _e80 = phi_205_;
+    let _e82 = phi_206_;
+    if _e82 {
+        phi_211_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_211_ = _e80;
+    }
+    let _e87 = phi_211_;
+    return lt_bvh_traverse_Tree(_e87.root, _e87.first_primitive);
+}
+
+fn _lt_bvh_ray_Ray_new(param_3: vec3<f32>, param_4: vec3<f32>) -> lt_bvh_Ray {
+    return lt_bvh_Ray(param_3, 0f, param_4, 300000000000000000000000000000000000000f);
+}
+
+fn core_intrinsics_maximum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_230_: bool;
+    var phi_234_: f32;
+
+    if (param_5 != param_5) {
+        phi_230_ = true;
+    } else {
+        let _e66 = (param_6 >= param_5);
+        if _e66 {
+        }
+        phi_230_ = _e66;
+    }
+    let _e68 = phi_230_;
+    if _e68 {
+        phi_234_ = param_6;
+    } else {
+        phi_234_ = param_5;
+    }
+    let _e70 = phi_234_;
+    return _e70;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_7: f32, param_8: f32) -> f32 {
+    var phi_246_: bool;
+    var phi_250_: f32;
+
+    if (param_7 != param_7) {
+        phi_246_ = true;
+    } else {
+        let _e66 = (param_8 <= param_7);
+        if _e66 {
+        }
+        phi_246_ = _e66;
+    }
+    let _e68 = phi_246_;
+    if _e68 {
+        phi_250_ = param_8;
+    } else {
+        phi_250_ = param_7;
+    }
+    let _e70 = phi_250_;
+    return _e70;
+}
+
+fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {
+    var phi_258_: f32;
+
+    if (param_9 > param_10) {
+        phi_258_ = param_9;
+    } else {
+        phi_258_ = param_10;
+    }
+    let _e67 = phi_258_;
+    return _e67;
+}
+
+fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_11: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(1f, 1f, 1f);
+}
+
+fn function_() {
+    var local: lt_bvh_traverse_Stack;
+    var local_1: lt_bvh_traverse_Stack;
+    var phi_410_: bool;
+    var phi_411_: bool;
+    var phi_412_: bool;
+    var phi_416_: bool;
+    var phi_417_: bool;
+    var phi_418_: bool;
+    var phi_419_: bool;
+    var phi_420_: bool;
+    var phi_421_: bool;
+    var phi_422_: bool;
+    var phi_423_: bool;
+    var phi_424_: bool;
+    var phi_425_: bool;
+    var phi_426_: bool;
+    var phi_427_: bool;
+    var phi_428_: bool;
+    var phi_429_: bool;
+    var phi_430_: bool;
+    var phi_431_: bool;
+    var phi_432_: bool;
+    var phi_433_: bool;
+    var phi_437_: bool;
+    var phi_441_: bool;
+    var phi_516_: f32;
+    var phi_523_: f32;
+    var phi_531_: f32;
+    var phi_538_: f32;
+    var phi_546_: f32;
+    var phi_553_: f32;
+    var phi_578_: f32;
+    var phi_583_: f32;
+    var phi_588_: f32;
+    var phi_610_: u32;
+    var phi_615_: u32;
+    var phi_620_: u32;
+    var phi_734_: bool;
+    var phi_735_: bool;
+    var phi_766_: u32;
+    var phi_768_: u32;
+    var phi_771_: lt_bvh_Hit;
+    var phi_856_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_883_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_910_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_916_: u32;
+    var phi_919_: u32;
+    var phi_933_: u32;
+    var phi_943_: u32;
+    var phi_953_: u32;
+    var phi_971_: u32;
+    var phi_981_: u32;
+    var phi_991_: u32;
+    var phi_1027_: u32;
+    var phi_1040_: u32;
+    var phi_1045_: u32;
+    var phi_1046_: u32;
+    var phi_1047_: u32;
+    var phi_917_: u32;
+    var phi_920_: u32;
+    var local_2: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var phi_1105_: u32;
+    var phi_1108_: lt_bvh_Hit;
+    var phi_1163_: f32;
+    var phi_1168_: f32;
+    var phi_1173_: f32;
+    var phi_1181_: f32;
+    var phi_1186_: f32;
+    var phi_1191_: f32;
+    var phi_1347_: bool;
+    var phi_1348_: bool;
+    var phi_1349_: bool;
+    var phi_1353_: bool;
+    var phi_1354_: bool;
+    var phi_1355_: bool;
+    var phi_1356_: bool;
+    var phi_1357_: bool;
+    var phi_1358_: bool;
+    var phi_1359_: bool;
+    var phi_1360_: bool;
+    var phi_1361_: bool;
+    var phi_1362_: bool;
+    var phi_1363_: bool;
+    var phi_1364_: bool;
+    var phi_1365_: bool;
+    var phi_1366_: bool;
+    var phi_1367_: bool;
+    var phi_1368_: bool;
+    var phi_1369_: bool;
+    var phi_1370_: bool;
+    var phi_1374_: bool;
+    var phi_1378_: bool;
+    var phi_1448_: f32;
+    var phi_1455_: f32;
+    var phi_1462_: f32;
+    var phi_1469_: f32;
+    var phi_1476_: f32;
+    var phi_1483_: f32;
+    var phi_1500_: f32;
+    var phi_1505_: f32;
+    var phi_1510_: f32;
+    var phi_1538_: bool;
+    var phi_1539_: bool;
+    var phi_1547_: u32;
+    var phi_1548_: u32;
+    var phi_1559_: vec3<f32>;
+    var phi_1560_: vec3<f32>;
+    var phi_1573_: u32;
+    var phi_1578_: u32;
+    var phi_1583_: u32;
+    var phi_1697_: bool;
+    var phi_1698_: bool;
+    var phi_1729_: u32;
+    var phi_1731_: lt_bvh_Hit;
+    var phi_1734_: u32;
+    var phi_1815_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1842_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1869_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1875_: u32;
+    var phi_1878_: u32;
+    var phi_1892_: u32;
+    var phi_1902_: u32;
+    var phi_1912_: u32;
+    var phi_1930_: u32;
+    var phi_1940_: u32;
+    var phi_1950_: u32;
+    var phi_1986_: u32;
+    var phi_1999_: u32;
+    var phi_2004_: u32;
+    var phi_2005_: u32;
+    var phi_2006_: u32;
+    var phi_1876_: u32;
+    var phi_1879_: u32;
+    var local_5: u32;
+    var local_6: u32;
+    var local_7: u32;
+    var phi_2064_: lt_bvh_Hit;
+    var phi_2067_: u32;
+    var phi_2111_: vec3<f32>;
+    var phi_2112_: vec3<f32>;
+    var phi_2143_: vec3<f32>;
+    var phi_2144_: vec3<f32>;
+    var phi_2175_: vec3<f32>;
+    var phi_2176_: vec3<f32>;
+    var phi_2196_: bool;
+    var phi_2197_: bool;
+    var phi_2201_: f32;
+    var phi_2202_: f32;
+    var phi_2203_: f32;
+    var phi_2204_: f32;
+    var phi_2212_: f32;
+    var phi_2222_: bool;
+    var phi_2223_: bool;
+    var phi_2227_: f32;
+    var phi_2228_: f32;
+    var phi_2229_: f32;
+    var phi_2230_: f32;
+    var phi_2238_: f32;
+    var phi_2248_: bool;
+    var phi_2249_: bool;
+    var phi_2253_: f32;
+    var phi_2254_: f32;
+    var phi_2255_: f32;
+    var phi_2256_: f32;
+    var phi_2264_: f32;
+    var phi_2279_: f32;
+    var phi_2280_: bool;
+    var phi_2281_: f32;
+    var phi_2282_: bool;
+    var phi_2283_: f32;
+    var phi_2284_: bool;
+    var phi_2302_: f32;
+    var phi_2303_: bool;
+    var phi_2304_: bool;
+    var phi_2305_: f32;
+    var phi_2306_: bool;
+    var phi_2307_: bool;
+    var phi_2311_: bool;
+    var phi_2312_: f32;
+    var phi_2313_: bool;
+    var phi_2347_: f32;
+    var phi_2356_: f32;
+    var phi_2365_: f32;
+    var phi_2374_: f32;
+    var phi_2381_: f32;
+    var phi_2388_: f32;
+    var phi_2401_: f32;
+    var phi_2410_: f32;
+    var phi_2419_: f32;
+    var phi_2428_: f32;
+    var phi_2435_: f32;
+    var phi_2442_: f32;
+    var phi_2459_: f32;
+    var phi_2464_: f32;
+    var phi_2469_: f32;
+    var phi_2477_: f32;
+    var phi_2482_: f32;
+    var phi_2487_: f32;
+    var phi_2499_: f32;
+    var phi_2504_: f32;
+    var phi_2509_: f32;
+    var phi_2514_: f32;
+    var phi_2519_: lt_bvh_triangle_Intersection;
+    var phi_2520_: bool;
+    var phi_2521_: lt_bvh_triangle_Intersection;
+    var phi_2522_: bool;
+    var phi_2526_: lt_bvh_triangle_Intersection;
+    var phi_2527_: bool;
+    var phi_2528_: lt_bvh_triangle_Intersection;
+    var phi_2529_: bool;
+    var phi_2530_: bool;
+    var phi_2534_: bool;
+    var phi_2538_: lt_bvh_triangle_Intersection;
+    var phi_2576_: bool;
+    var phi_2577_: bool;
+    var phi_2578_: bool;
+    var phi_2579_: bool;
+    var phi_2580_: bool;
+    var phi_2581_: bool;
+    var phi_2585_: bool;
+    var phi_2586_: bool;
+    var phi_2600_: bool;
+    var phi_2608_: lt_bvh_Hit;
+    var phi_2609_: lt_bvh_Hit;
+    var phi_2610_: lt_bvh_Hit;
+    var phi_2611_: lt_bvh_Hit;
+    var phi_2065_: lt_bvh_Hit;
+    var phi_2068_: u32;
+    var phi_2612_: bool;
+    var phi_2651_: bool;
+    var phi_2652_: bool;
+    var phi_2683_: u32;
+    var phi_1732_: lt_bvh_Hit;
+    var phi_1735_: u32;
+    var phi_2684_: lt_bvh_Hit;
+    var phi_2685_: lt_bvh_Hit;
+    var phi_2686_: bool;
+    var phi_2690_: lt_bvh_Hit;
+    var phi_2691_: lt_bvh_Hit;
+    var phi_2692_: lt_bvh_Hit;
+    var phi_2693_: lt_bvh_Hit;
+    var phi_1106_: u32;
+    var phi_1109_: lt_bvh_Hit;
+    var phi_2694_: bool;
+    var phi_2733_: bool;
+    var phi_2734_: bool;
+    var phi_2765_: u32;
+    var phi_769_: u32;
+    var phi_772_: lt_bvh_Hit;
+    var phi_2766_: lt_bvh_Hit;
+    var phi_2767_: lt_bvh_Hit;
+    var phi_2768_: bool;
+    var phi_2772_: lt_bvh_Hit;
+    var phi_2960_: f32;
+    var phi_2965_: f32;
+    var phi_2970_: f32;
+    var phi_2978_: f32;
+    var phi_2983_: f32;
+    var phi_2988_: f32;
+    var phi_3052_: vec3<f32>;
+    var phi_3173_: u32;
+    var phi_3200_: f32;
+    var phi_3207_: f32;
+    var phi_3214_: f32;
+    var phi_3249_: f32;
+    var phi_3256_: f32;
+    var phi_3263_: f32;
+    var phi_3301_: f32;
+    var phi_3308_: f32;
+    var phi_3315_: f32;
+    var phi_3401_: vec3<f32>;
+    var phi_3402_: vec3<f32>;
+    var phi_3403_: vec3<f32>;
+    var phi_3412_: f32;
+    var phi_3413_: f32;
+    var phi_3423_: f32;
+    var phi_3424_: f32;
+    var phi_3434_: f32;
+    var phi_3435_: f32;
+    var phi_3470_: abi_Sample;
+    var phi_3692_: vec3<f32>;
+    var local_8: lt_bvh_Hit;
+    var local_9: lt_bvh_Hit;
+    var local_10: lt_bvh_Hit;
+    var local_11: lt_bvh_Hit;
+
+    let _e65 = id_1;
+    let _e69 = arrayLength((&nodes.member));
+    let _e72 = arrayLength((&triangles.member));
+    let _e75 = arrayLength((&vertices.member));
+    let _e84 = arrayLength((&instances.member));
+    let _e87 = arrayLength((&before.member));
+    let _e93 = p.member.size[0u];
+    let _e95 = p.member.size[1u];
+    let _e96 = lt_shaders_entry_pixel_index(_e65, _e93, _e95);
+    if (bitcast<i32>(_e96.root) != 0i) {
+        let _e102 = p.member.root;
+        let _e106 = p.member.eye;
+        let _e111 = p.member.size[0u];
+        let _e115 = ((((f32(_e65.x) + 0.5f) / f32(_e111)) * 2f) - 1f);
+        let _e120 = p.member.size[1u];
+        let _e124 = (1f - (((f32(_e65.y) + 0.5f) / f32(_e120)) * 2f));
+        let _e126 = p.member.forward;
+        let _e128 = p.member.right;
+        let _e142 = p.member.up;
+        let _e153 = _lt_bvh_ray_Ray_new(_e106, vec3<f32>(((_e126.x + (_e128.x * _e115)) + (_e142.x * _e124)), ((_e126.y + (_e128.y * _e115)) + (_e142.y * _e124)), ((_e126.z + (_e128.z * _e115)) + (_e142.z * _e124))));
+        let _e155 = lt_bvh_Hit(_e153.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e165 = abs(_e153.direction.x);
+        let _e167 = abs(_e153.direction.y);
+        let _e169 = abs(_e153.direction.z);
+        if (abs(_e153.origin.x) < 1000000000000000f) {
+            if (abs(_e153.origin.y) < 1000000000000000f) {
+                if (abs(_e153.origin.z) < 1000000000000000f) {
+                    if (_e165 < 1000000000000000f) {
+                        if (_e167 < 1000000000000000f) {
+                            if (_e169 < 1000000000000000f) {
+                                if (_e165 > 0f) {
+                                    phi_411_ = bool();
+                                    phi_412_ = true;
+                                } else {
+                                    let _e177 = (_e167 > 0f);
+                                    if _e177 {
+                                        phi_410_ = bool();
+                                    } else {
+                                        phi_410_ = (_e169 > 0f);
+                                    }
+                                    let _e180 = phi_410_;
+                                    phi_411_ = _e180;
+                                    phi_412_ = _e177;
+                                }
+                                let _e182 = phi_411_;
+                                let _e184 = phi_412_;
+                                if _e184 {
+                                    phi_416_ = true;
+                                } else {
+                                    phi_416_ = _e182;
+                                }
+                                let _e186 = phi_416_;
+                                phi_417_ = _e186;
+                                phi_418_ = false;
+                            } else {
+                                phi_417_ = bool();
+                                phi_418_ = true;
+                            }
+                            let _e188 = phi_417_;
+                            let _e190 = phi_418_;
+                            phi_419_ = _e188;
+                            phi_420_ = false;
+                            phi_421_ = _e190;
+                        } else {
+                            phi_419_ = bool();
+                            phi_420_ = true;
+                            phi_421_ = false;
+                        }
+                        let _e192 = phi_419_;
+                        let _e194 = phi_420_;
+                        let _e196 = phi_421_;
+                        phi_422_ = _e192;
+                        phi_423_ = _e194;
+                        phi_424_ = _e196;
+                    } else {
+                        phi_422_ = bool();
+                        phi_423_ = true;
+                        phi_424_ = false;
+                    }
+                    let _e198 = phi_422_;
+                    let _e200 = phi_423_;
+                    let _e202 = phi_424_;
+                    phi_425_ = _e198;
+                    phi_426_ = _e200;
+                    phi_427_ = _e202;
+                } else {
+                    phi_425_ = bool();
+                    phi_426_ = true;
+                    phi_427_ = false;
+                }
+                let _e204 = phi_425_;
+                let _e206 = phi_426_;
+                let _e208 = phi_427_;
+                phi_428_ = _e204;
+                phi_429_ = _e206;
+                phi_430_ = _e208;
+            } else {
+                phi_428_ = bool();
+                phi_429_ = true;
+                phi_430_ = false;
+            }
+            let _e210 = phi_428_;
+            let _e212 = phi_429_;
+            let _e214 = phi_430_;
+            phi_431_ = _e210;
+            phi_432_ = _e212;
+            phi_433_ = _e214;
+        } else {
+            phi_431_ = bool();
+            phi_432_ = true;
+            phi_433_ = false;
+        }
+        let _e216 = phi_431_;
+        let _e218 = phi_432_;
+        let _e220 = phi_433_;
+        if _e218 {
+            phi_437_ = true;
+        } else {
+            phi_437_ = _e220;
+        }
+        let _e222 = phi_437_;
+        if _e222 {
+            phi_441_ = false;
+        } else {
+            phi_441_ = _e216;
+        }
+        let _e224 = phi_441_;
+        if _e224 {
+            let _e225 = (_e102 >= _e69);
+            if _e225 {
+                phi_2766_ = lt_bvh_Hit();
+            } else {
+                if (_e102 < _e69) {
+                } else {
+                    return;
+                }
+                let _e231 = nodes.member[(0u + _e102)].frame[0u];
+                let _e235 = nodes.member[(0u + _e102)].frame[1u];
+                let _e239 = nodes.member[(0u + _e102)].frame[2u];
+                let _e243 = nodes.member[(0u + _e102)].frame[0u];
+                let _e247 = nodes.member[(0u + _e102)].frame[1u];
+                let _e251 = nodes.member[(0u + _e102)].frame[2u];
+                let _e255 = nodes.member[(0u + _e102)].frame[3u];
+                let _e293 = core_intrinsics_maximum_number_nsz_f32_(abs(_e153.direction.x), abs(_e153.direction.y));
+                let _e294 = core_intrinsics_maximum_number_nsz_f32_(_e293, abs(_e153.direction.z));
+                let _e295 = (_e294 * 0.0000000000009094947f);
+                if (abs(_e153.direction.x) < _e295) {
+                    phi_516_ = _e295;
+                } else {
+                    phi_516_ = abs(_e153.direction.x);
+                }
+                let _e302 = phi_516_;
+                if (_e153.direction.x < 0f) {
+                    phi_523_ = (-1f / _e302);
+                } else {
+                    phi_523_ = (1f / _e302);
+                }
+                let _e307 = phi_523_;
+                if (abs(_e153.direction.y) < _e295) {
+                    phi_531_ = _e295;
+                } else {
+                    phi_531_ = abs(_e153.direction.y);
+                }
+                let _e314 = phi_531_;
+                if (_e153.direction.y < 0f) {
+                    phi_538_ = (-1f / _e314);
+                } else {
+                    phi_538_ = (1f / _e314);
+                }
+                let _e319 = phi_538_;
+                if (abs(_e153.direction.z) < _e295) {
+                    phi_546_ = _e295;
+                } else {
+                    phi_546_ = abs(_e153.direction.z);
+                }
+                let _e326 = phi_546_;
+                if (_e153.direction.z < 0f) {
+                    phi_553_ = (-1f / _e326);
+                } else {
+                    phi_553_ = (1f / _e326);
+                }
+                let _e331 = phi_553_;
+                let _e339 = abs((bitcast<f32>(_e231) - _e153.origin.x));
+                let _e340 = abs((bitcast<f32>(_e235) - _e153.origin.y));
+                let _e341 = abs((bitcast<f32>(_e239) - _e153.origin.z));
+                let _e349 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e255 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.x));
+                let _e350 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e255 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.y));
+                let _e351 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e255 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.z));
+                if (_e339 > _e349) {
+                    phi_578_ = _e339;
+                } else {
+                    phi_578_ = _e349;
+                }
+                let _e354 = phi_578_;
+                if (_e340 > _e350) {
+                    phi_583_ = _e340;
+                } else {
+                    phi_583_ = _e350;
+                }
+                let _e357 = phi_583_;
+                if (_e341 > _e351) {
+                    phi_588_ = _e341;
+                } else {
+                    phi_588_ = _e351;
+                }
+                let _e360 = phi_588_;
+                let _e361 = core_intrinsics_maximum_number_nsz_f32_(_e354, _e357);
+                let _e362 = core_intrinsics_maximum_number_nsz_f32_(_e361, _e360);
+                let _e367 = (_e362 * 0.0000019073486f);
+                let _e368 = (abs(_e307) * _e367);
+                let _e369 = (abs(_e319) * _e367);
+                let _e370 = (abs(_e331) * _e367);
+                let _e374 = (_e362 * 0.0000009536743f);
+                let _e375 = (abs(_e307) * _e374);
+                let _e376 = (abs(_e319) * _e374);
+                let _e377 = (abs(_e331) * _e374);
+                if (_e307 < 0f) {
+                    phi_610_ = 0u;
+                } else {
+                    phi_610_ = 1u;
+                }
+                let _e380 = phi_610_;
+                if (_e319 < 0f) {
+                    phi_615_ = 0u;
+                } else {
+                    phi_615_ = 2u;
+                }
+                let _e383 = phi_615_;
+                if (_e331 < 0f) {
+                    phi_620_ = 0u;
+                } else {
+                    phi_620_ = 4u;
+                }
+                let _e386 = phi_620_;
+                let _e388 = ((_e380 | _e383) | _e386);
+                let _e389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e102, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e389.first[0], _e389.first[1], _e389.first[2], _e389.first[3], _e389.first[4], _e389.first[5], _e389.first[6], _e389.first[7], _e389.first[8], _e389.first[9], _e389.first[10], _e389.first[11], _e389.first[12], _e389.first[13], _e389.first[14], _e389.first[15], _e389.first[16], _e389.first[17], _e389.first[18], _e389.first[19], _e389.first[20], _e389.first[21], _e389.first[22], _e389.first[23], _e389.first[24], _e389.first[25], _e389.first[26], _e389.first[27], _e389.first[28], _e389.first[29], _e389.first[30], _e389.first[31]), array<u32, 32>(_e389.mask[0], _e389.mask[1], _e389.mask[2], _e389.mask[3], _e389.mask[4], _e389.mask[5], _e389.mask[6], _e389.mask[7], _e389.mask[8], _e389.mask[9], _e389.mask[10], _e389.mask[11], _e389.mask[12], _e389.mask[13], _e389.mask[14], _e389.mask[15], _e389.mask[16], _e389.mask[17], _e389.mask[18], _e389.mask[19], _e389.mask[20], _e389.mask[21], _e389.mask[22], _e389.mask[23], _e389.mask[24], _e389.mask[25], _e389.mask[26], _e389.mask[27], _e389.mask[28], _e389.mask[29], _e389.mask[30], _e389.mask[31]), _e389.len, _e389.group, _e389.group_mask);
+                let _e463 = local_1.group_mask;
+                if ((_e463 & 4278190080u) == 0u) {
+                    let _e467 = local_1.len;
+                    if (_e467 == 0u) {
+                        phi_734_ = false;
+                    } else {
+                        let _e471 = local_1.len;
+                        local_1.len = (_e471 - 1u);
+                        let _e474 = local_1.len;
+                        if (_e474 < 32u) {
+                        } else {
+                            return;
+                        }
+                        let _e479 = local_1.first[(0u + _e474)];
+                        local_1.group = _e479;
+                        let _e482 = local_1.len;
+                        if (_e482 < 32u) {
+                        } else {
+                            return;
+                        }
+                        let _e487 = local_1.mask[(0u + _e482)];
+                        local_1.group_mask = _e487;
+                        phi_734_ = true;
+                    }
+                    let _e490 = phi_734_;
+                    phi_735_ = _e490;
+                } else {
+                    phi_735_ = true;
+                }
+                let _e492 = phi_735_;
+                if _e492 {
+                    let _e494 = local_1.group_mask;
+                    let _e500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e494)), 32u, (_e494 == 0u)));
+                    let _e504 = local_1.group_mask;
+                    let _e518 = local_1.group_mask;
+                    local_1.group_mask = (_e518 & ~((1u << bitcast<u32>((_e500 & 31u)))));
+                    let _e521 = local_1.group;
+                    phi_766_ = (_e521 + countOneBits(((_e504 & ~((4294967295u << bitcast<u32>((((_e500 - 24u) ^ 7u) & 31u))))) & 255u)));
+                } else {
+                    phi_766_ = 4294967295u;
+                }
+                let _e524 = phi_766_;
+                phi_768_ = _e524;
+                phi_771_ = _e155;
+                loop {
+                    let _e526 = phi_768_;
+                    let _e528 = phi_771_;
+                    local_11 = _e528;
+                    let _e529 = (_e526 != 4294967295u);
+                    if _e529 {
+                        if (_e526 < _e69) {
+                        } else {
+                            return;
+                        }
+                        let _e537 = nodes.member[(0u + _e526)].frame[3u];
+                        let _e562 = (bitcast<f32>((((_e537 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e307);
+                        let _e563 = (bitcast<f32>((((_e537 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
+                        let _e564 = (bitcast<f32>((((_e537 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
+                        let _e567 = nodes.member[(0u + _e526)].frame[0u];
+                        let _e571 = nodes.member[(0u + _e526)].frame[1u];
+                        let _e575 = nodes.member[(0u + _e526)].frame[2u];
+                        let _e583 = ((bitcast<f32>(_e567) - _e153.origin.x) * _e307);
+                        let _e584 = ((bitcast<f32>(_e571) - _e153.origin.y) * _e319);
+                        let _e585 = ((bitcast<f32>(_e575) - _e153.origin.z) * _e331);
+                        let _e593 = nodes.member[(0u + _e526)].x;
+                        if (_e307 < 0f) {
+                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e604.unnamed.root, _e593.w), _e604.unnamed_1);
+                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_bvh_traverse_Tree(_e593.x, _e610.unnamed_1.first_primitive));
+                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_bvh_traverse_Tree(_e616.unnamed_1.root, _e593.y));
+                        } else {
+                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.unnamed.root, _e593.y), _e632.unnamed_1);
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_bvh_traverse_Tree(_e593.z, _e638.unnamed_1.first_primitive));
+                            phi_856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e644.unnamed_1.root, _e593.w));
+                        }
+                        let _e652 = phi_856_;
+                        let _e662 = nodes.member[(0u + _e526)].y;
+                        if (_e319 < 0f) {
+                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.unnamed.root, _e662.w), _e673.unnamed_1);
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e662.x, _e679.unnamed_1.first_primitive));
+                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_bvh_traverse_Tree(_e685.unnamed_1.root, _e662.y));
+                        } else {
+                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.unnamed.root, _e662.y), _e701.unnamed_1);
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e662.z, _e707.unnamed_1.first_primitive));
+                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e713.unnamed_1.root, _e662.w));
+                        }
+                        let _e721 = phi_883_;
+                        let _e731 = nodes.member[(0u + _e526)].z;
+                        if (_e331 < 0f) {
+                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e742.unnamed.root, _e731.w), _e742.unnamed_1);
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e731.x, _e748.unnamed_1.first_primitive));
+                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_bvh_traverse_Tree(_e754.unnamed_1.root, _e731.y));
+                        } else {
+                            let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.unnamed.root, _e731.y), _e770.unnamed_1);
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_bvh_traverse_Tree(_e731.z, _e776.unnamed_1.first_primitive));
+                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_bvh_traverse_Tree(_e782.unnamed_1.root, _e731.w));
+                        }
+                        let _e790 = phi_910_;
+                        phi_916_ = 0u;
+                        phi_919_ = 0u;
+                        loop {
+                            let _e800 = phi_916_;
+                            let _e802 = phi_919_;
+                            local_2 = _e802;
+                            local_3 = _e802;
+                            local_4 = _e802;
+                            let _e803 = (_e800 < 8u);
+                            if _e803 {
+                                let _e805 = (_e800 >> bitcast<u32>(2i));
+                                let _e806 = (_e800 & 3u);
+                                if (_e805 == 0u) {
+                                    phi_933_ = _e652.unnamed.root;
+                                } else {
+                                    phi_933_ = _e652.unnamed.first_primitive;
+                                }
+                                let _e809 = phi_933_;
+                                if (_e805 == 0u) {
+                                    phi_943_ = _e721.unnamed.root;
+                                } else {
+                                    phi_943_ = _e721.unnamed.first_primitive;
+                                }
+                                let _e818 = phi_943_;
+                                if (_e805 == 0u) {
+                                    phi_953_ = _e790.unnamed.root;
+                                } else {
+                                    phi_953_ = _e790.unnamed.first_primitive;
+                                }
+                                let _e827 = phi_953_;
+                                let _e840 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 - _e368)), ((f32(((_e818 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 - _e369)));
+                                let _e841 = core_intrinsics_maximum_number_nsz_f32_(_e840, ((f32(((_e827 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e564) + (_e585 - _e370)));
+                                if (_e805 == 0u) {
+                                    phi_971_ = _e652.unnamed_1.root;
+                                } else {
+                                    phi_971_ = _e652.unnamed_1.first_primitive;
+                                }
+                                let _e844 = phi_971_;
+                                if (_e805 == 0u) {
+                                    phi_981_ = _e721.unnamed_1.root;
+                                } else {
+                                    phi_981_ = _e721.unnamed_1.first_primitive;
+                                }
+                                let _e853 = phi_981_;
+                                if (_e805 == 0u) {
+                                    phi_991_ = _e790.unnamed_1.root;
+                                } else {
+                                    phi_991_ = _e790.unnamed_1.first_primitive;
+                                }
+                                let _e862 = phi_991_;
+                                let _e875 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 + _e368)), ((f32(((_e853 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 + _e369)));
+                                let _e876 = core_intrinsics_minimum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e564) + (_e585 + _e370)));
+                                if (_e841 <= _e876) {
+                                    if (_e841 <= _e528.t) {
+                                        if (_e876 >= _e153.tmin) {
+                                            if (_e805 == 0u) {
+                                                let _e883 = nodes.member[(0u + _e526)].links[2u];
+                                                phi_1027_ = _e883;
+                                            } else {
+                                                let _e886 = nodes.member[(0u + _e526)].links[3u];
+                                                phi_1027_ = _e886;
+                                            }
+                                            let _e888 = phi_1027_;
+                                            let _e893 = ((_e888 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u);
+                                            let _e894 = (_e893 & 31u);
+                                            if (_e894 >= 24u) {
+                                                phi_1040_ = (24u + ((_e894 - 24u) ^ _e388));
+                                            } else {
+                                                phi_1040_ = _e894;
+                                            }
+                                            let _e900 = phi_1040_;
+                                            phi_1045_ = (_e802 | ((_e893 >> bitcast<u32>(5i)) << bitcast<u32>((_e900 & 31u))));
+                                        } else {
+                                            phi_1045_ = _e802;
+                                        }
+                                        let _e908 = phi_1045_;
+                                        phi_1046_ = _e908;
+                                    } else {
+                                        phi_1046_ = _e802;
+                                    }
+                                    let _e910 = phi_1046_;
+                                    phi_1047_ = _e910;
+                                } else {
+                                    phi_1047_ = _e802;
+                                }
+                                let _e912 = phi_1047_;
+                                phi_917_ = (_e800 + 1u);
+                                phi_920_ = _e912;
+                            } else {
+                                phi_917_ = u32();
+                                phi_920_ = u32();
+                            }
+                            let _e915 = phi_917_;
+                            let _e917 = phi_920_;
+                            continue;
+                            continuing {
+                                phi_916_ = _e915;
+                                phi_919_ = _e917;
+                                break if !(_e803);
+                            }
+                        }
+                        let _e921 = nodes.member[(0u + _e526)].links[0u];
+                        let _e925 = nodes.member[(0u + _e526)].frame[3u];
+                        let _e929 = local_2;
+                        if ((_e929 & 4278190080u) == 0u) {
+                        } else {
+                            let _e933 = local_1.group_mask;
+                            if ((_e933 & 4278190080u) == 0u) {
+                            } else {
+                                let _e937 = local_1.len;
+                                if (_e937 < 32u) {
+                                    let _e940 = local_1.group;
+                                    let _e942 = local_1.len;
+                                    if (_e942 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    local_1.first[(0u + _e942)] = _e940;
+                                    let _e948 = local_1.group_mask;
+                                    let _e950 = local_1.len;
+                                    if (_e950 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    local_1.mask[(0u + _e950)] = _e948;
+                                    let _e957 = local_1.len;
+                                    local_1.len = (_e957 + 1u);
+                                }
+                            }
+                            local_1.group = (_e102 + _e921);
+                            let _e961 = local_3;
+                            local_1.group_mask = ((_e961 & 4278190080u) | (_e925 >> bitcast<u32>(24i)));
+                        }
+                        let _e966 = local_4;
+                        phi_1105_ = (_e966 & 16777215u);
+                        phi_1108_ = _e528;
+                        loop {
+                            let _e969 = phi_1105_;
+                            let _e971 = phi_1108_;
+                            local_10 = _e971;
+                            if (_e969 == 0u) {
+                                phi_1106_ = u32();
+                                phi_1109_ = lt_bvh_Hit();
+                                phi_2694_ = false;
+                            } else {
+                                let _e975 = nodes.member[(0u + _e526)].links[1u];
+                                let _e979 = (_e975 + select(firstTrailingBit(_e969), 32u, (_e969 == 0u)));
+                                if (_e979 < _e84) {
+                                } else {
+                                    return;
+                                }
+                                let _e986 = instances.member[(0u + _e979)].low_world;
+                                let _e988 = instances.member[(0u + _e979)].high_world;
+                                let _e998 = ((_e986.x - _e153.origin.x) * _e307);
+                                let _e999 = ((_e986.y - _e153.origin.y) * _e319);
+                                let _e1000 = ((_e986.z - _e153.origin.z) * _e331);
+                                let _e1010 = ((_e988.x - _e153.origin.x) * _e307);
+                                let _e1011 = ((_e988.y - _e153.origin.y) * _e319);
+                                let _e1012 = ((_e988.z - _e153.origin.z) * _e331);
+                                if (_e998 < _e1010) {
+                                    phi_1163_ = _e998;
+                                } else {
+                                    phi_1163_ = _e1010;
+                                }
+                                let _e1015 = phi_1163_;
+                                if (_e999 < _e1011) {
+                                    phi_1168_ = _e999;
+                                } else {
+                                    phi_1168_ = _e1011;
+                                }
+                                let _e1018 = phi_1168_;
+                                if (_e1000 < _e1012) {
+                                    phi_1173_ = _e1000;
+                                } else {
+                                    phi_1173_ = _e1012;
+                                }
+                                let _e1021 = phi_1173_;
+                                if (_e998 > _e1010) {
+                                    phi_1181_ = _e998;
+                                } else {
+                                    phi_1181_ = _e1010;
+                                }
+                                let _e1027 = phi_1181_;
+                                if (_e999 > _e1011) {
+                                    phi_1186_ = _e999;
+                                } else {
+                                    phi_1186_ = _e1011;
+                                }
+                                let _e1030 = phi_1186_;
+                                if (_e1000 > _e1012) {
+                                    phi_1191_ = _e1000;
+                                } else {
+                                    phi_1191_ = _e1012;
+                                }
+                                let _e1033 = phi_1191_;
+                                let _e1037 = core_intrinsics_maximum_number_nsz_f32_((_e1015 - _e375), (_e1018 - _e376));
+                                let _e1038 = core_intrinsics_maximum_number_nsz_f32_(_e1037, (_e1021 - _e377));
+                                let _e1039 = core_intrinsics_minimum_number_nsz_f32_((_e1027 + _e375), (_e1030 + _e376));
+                                let _e1040 = core_intrinsics_minimum_number_nsz_f32_(_e1039, (_e1033 + _e377));
+                                if (_e1038 <= _e1040) {
+                                    if (_e1038 <= _e971.t) {
+                                        if (_e1040 >= _e153.tmin) {
+                                            let _e1052 = instances.member[(0u + _e979)].world_to_object[0u];
+                                            let _e1063 = ((((_e1052.x * _e153.origin.x) + (_e1052.y * _e153.origin.y)) + (_e1052.z * _e153.origin.z)) + (_e1052.w * 1f));
+                                            let _e1065 = instances.member[(0u + _e979)].world_to_object[1u];
+                                            let _e1076 = ((((_e1065.x * _e153.origin.x) + (_e1065.y * _e153.origin.y)) + (_e1065.z * _e153.origin.z)) + (_e1065.w * 1f));
+                                            let _e1078 = instances.member[(0u + _e979)].world_to_object[2u];
+                                            let _e1089 = ((((_e1078.x * _e153.origin.x) + (_e1078.y * _e153.origin.y)) + (_e1078.z * _e153.origin.z)) + (_e1078.w * 1f));
+                                            let _e1096 = instances.member[(0u + _e979)].world_to_object[0u];
+                                            let _e1107 = ((((_e1096.x * _e153.direction.x) + (_e1096.y * _e153.direction.y)) + (_e1096.z * _e153.direction.z)) + (_e1096.w * 0f));
+                                            let _e1109 = instances.member[(0u + _e979)].world_to_object[1u];
+                                            let _e1120 = ((((_e1109.x * _e153.direction.x) + (_e1109.y * _e153.direction.y)) + (_e1109.z * _e153.direction.z)) + (_e1109.w * 0f));
+                                            let _e1122 = instances.member[(0u + _e979)].world_to_object[2u];
+                                            let _e1133 = ((((_e1122.x * _e153.direction.x) + (_e1122.y * _e153.direction.y)) + (_e1122.z * _e153.direction.z)) + (_e1122.w * 0f));
+                                            let _e1138 = instances.member[(0u + _e979)].root;
+                                            let _e1140 = instances.member[(0u + _e979)].first_triangle;
+                                            let _e1144 = abs(_e1107);
+                                            let _e1145 = abs(_e1120);
+                                            let _e1146 = abs(_e1133);
+                                            if (abs(_e1063) < 1000000000000000f) {
+                                                if (abs(_e1076) < 1000000000000000f) {
+                                                    if (abs(_e1089) < 1000000000000000f) {
+                                                        if (_e1144 < 1000000000000000f) {
+                                                            if (_e1145 < 1000000000000000f) {
+                                                                if (_e1146 < 1000000000000000f) {
+                                                                    if (_e1144 > 0f) {
+                                                                        phi_1348_ = bool();
+                                                                        phi_1349_ = true;
+                                                                    } else {
+                                                                        let _e1154 = (_e1145 > 0f);
+                                                                        if _e1154 {
+                                                                            phi_1347_ = bool();
+                                                                        } else {
+                                                                            phi_1347_ = (_e1146 > 0f);
+                                                                        }
+                                                                        let _e1157 = phi_1347_;
+                                                                        phi_1348_ = _e1157;
+                                                                        phi_1349_ = _e1154;
+                                                                    }
+                                                                    let _e1159 = phi_1348_;
+                                                                    let _e1161 = phi_1349_;
+                                                                    if _e1161 {
+                                                                        phi_1353_ = true;
+                                                                    } else {
+                                                                        phi_1353_ = _e1159;
+                                                                    }
+                                                                    let _e1163 = phi_1353_;
+                                                                    phi_1354_ = _e1163;
+                                                                    phi_1355_ = false;
+                                                                } else {
+                                                                    phi_1354_ = bool();
+                                                                    phi_1355_ = true;
+                                                                }
+                                                                let _e1165 = phi_1354_;
+                                                                let _e1167 = phi_1355_;
+                                                                phi_1356_ = _e1165;
+                                                                phi_1357_ = false;
+                                                                phi_1358_ = _e1167;
+                                                            } else {
+                                                                phi_1356_ = bool();
+                                                                phi_1357_ = true;
+                                                                phi_1358_ = false;
+                                                            }
+                                                            let _e1169 = phi_1356_;
+                                                            let _e1171 = phi_1357_;
+                                                            let _e1173 = phi_1358_;
+                                                            phi_1359_ = _e1169;
+                                                            phi_1360_ = _e1171;
+                                                            phi_1361_ = _e1173;
+                                                        } else {
+                                                            phi_1359_ = bool();
+                                                            phi_1360_ = true;
+                                                            phi_1361_ = false;
+                                                        }
+                                                        let _e1175 = phi_1359_;
+                                                        let _e1177 = phi_1360_;
+                                                        let _e1179 = phi_1361_;
+                                                        phi_1362_ = _e1175;
+                                                        phi_1363_ = _e1177;
+                                                        phi_1364_ = _e1179;
+                                                    } else {
+                                                        phi_1362_ = bool();
+                                                        phi_1363_ = true;
+                                                        phi_1364_ = false;
+                                                    }
+                                                    let _e1181 = phi_1362_;
+                                                    let _e1183 = phi_1363_;
+                                                    let _e1185 = phi_1364_;
+                                                    phi_1365_ = _e1181;
+                                                    phi_1366_ = _e1183;
+                                                    phi_1367_ = _e1185;
+                                                } else {
+                                                    phi_1365_ = bool();
+                                                    phi_1366_ = true;
+                                                    phi_1367_ = false;
+                                                }
+                                                let _e1187 = phi_1365_;
+                                                let _e1189 = phi_1366_;
+                                                let _e1191 = phi_1367_;
+                                                phi_1368_ = _e1187;
+                                                phi_1369_ = _e1189;
+                                                phi_1370_ = _e1191;
+                                            } else {
+                                                phi_1368_ = bool();
+                                                phi_1369_ = true;
+                                                phi_1370_ = false;
+                                            }
+                                            let _e1193 = phi_1368_;
+                                            let _e1195 = phi_1369_;
+                                            let _e1197 = phi_1370_;
+                                            if _e1195 {
+                                                phi_1374_ = true;
+                                            } else {
+                                                phi_1374_ = _e1197;
+                                            }
+                                            let _e1199 = phi_1374_;
+                                            if _e1199 {
+                                                phi_1378_ = false;
+                                            } else {
+                                                phi_1378_ = _e1193;
+                                            }
+                                            let _e1201 = phi_1378_;
+                                            if _e1201 {
+                                                let _e1202 = (_e1138 >= _e69);
+                                                if _e1202 {
+                                                    phi_2684_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1138 < _e69) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1208 = nodes.member[(0u + _e1138)].frame[0u];
+                                                    let _e1212 = nodes.member[(0u + _e1138)].frame[1u];
+                                                    let _e1216 = nodes.member[(0u + _e1138)].frame[2u];
+                                                    let _e1220 = nodes.member[(0u + _e1138)].frame[0u];
+                                                    let _e1224 = nodes.member[(0u + _e1138)].frame[1u];
+                                                    let _e1228 = nodes.member[(0u + _e1138)].frame[2u];
+                                                    let _e1232 = nodes.member[(0u + _e1138)].frame[3u];
+                                                    let _e1266 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1107), abs(_e1120));
+                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1266, abs(_e1133));
+                                                    let _e1268 = (_e1267 * 0.0000000000009094947f);
+                                                    if (abs(_e1107) < _e1268) {
+                                                        phi_1448_ = _e1268;
+                                                    } else {
+                                                        phi_1448_ = abs(_e1107);
+                                                    }
+                                                    let _e1273 = phi_1448_;
+                                                    if (_e1107 < 0f) {
+                                                        phi_1455_ = (-1f / _e1273);
+                                                    } else {
+                                                        phi_1455_ = (1f / _e1273);
+                                                    }
+                                                    let _e1278 = phi_1455_;
+                                                    if (abs(_e1120) < _e1268) {
+                                                        phi_1462_ = _e1268;
+                                                    } else {
+                                                        phi_1462_ = abs(_e1120);
+                                                    }
+                                                    let _e1283 = phi_1462_;
+                                                    if (_e1120 < 0f) {
+                                                        phi_1469_ = (-1f / _e1283);
+                                                    } else {
+                                                        phi_1469_ = (1f / _e1283);
+                                                    }
+                                                    let _e1288 = phi_1469_;
+                                                    if (abs(_e1133) < _e1268) {
+                                                        phi_1476_ = _e1268;
+                                                    } else {
+                                                        phi_1476_ = abs(_e1133);
+                                                    }
+                                                    let _e1293 = phi_1476_;
+                                                    if (_e1133 < 0f) {
+                                                        phi_1483_ = (-1f / _e1293);
+                                                    } else {
+                                                        phi_1483_ = (1f / _e1293);
+                                                    }
+                                                    let _e1298 = phi_1483_;
+                                                    let _e1302 = abs((bitcast<f32>(_e1208) - _e1063));
+                                                    let _e1303 = abs((bitcast<f32>(_e1212) - _e1076));
+                                                    let _e1304 = abs((bitcast<f32>(_e1216) - _e1089));
+                                                    let _e1308 = abs(((bitcast<f32>(_e1220) + (bitcast<f32>((((_e1232 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1063));
+                                                    let _e1309 = abs(((bitcast<f32>(_e1224) + (bitcast<f32>((((_e1232 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1076));
+                                                    let _e1310 = abs(((bitcast<f32>(_e1228) + (bitcast<f32>((((_e1232 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1089));
+                                                    if (_e1302 > _e1308) {
+                                                        phi_1500_ = _e1302;
+                                                    } else {
+                                                        phi_1500_ = _e1308;
+                                                    }
+                                                    let _e1313 = phi_1500_;
+                                                    if (_e1303 > _e1309) {
+                                                        phi_1505_ = _e1303;
+                                                    } else {
+                                                        phi_1505_ = _e1309;
+                                                    }
+                                                    let _e1316 = phi_1505_;
+                                                    if (_e1304 > _e1310) {
+                                                        phi_1510_ = _e1304;
+                                                    } else {
+                                                        phi_1510_ = _e1310;
+                                                    }
+                                                    let _e1319 = phi_1510_;
+                                                    let _e1320 = core_intrinsics_maximum_number_nsz_f32_(_e1313, _e1316);
+                                                    let _e1321 = core_intrinsics_maximum_number_nsz_f32_(_e1320, _e1319);
+                                                    let _e1325 = (_e1321 * 0.0000019073486f);
+                                                    let _e1326 = (abs(_e1278) * _e1325);
+                                                    let _e1327 = (abs(_e1288) * _e1325);
+                                                    let _e1328 = (abs(_e1298) * _e1325);
+                                                    let _e1332 = (_e1321 * 0.0000009536743f);
+                                                    let _e1333 = (abs(_e1278) * _e1332);
+                                                    let _e1334 = (abs(_e1288) * _e1332);
+                                                    let _e1335 = (abs(_e1298) * _e1332);
+                                                    let _e1336 = abs(_e1107);
+                                                    let _e1337 = abs(_e1120);
+                                                    let _e1338 = abs(_e1133);
+                                                    if (_e1336 >= _e1337) {
+                                                        if (_e1336 >= _e1338) {
+                                                            phi_1538_ = false;
+                                                        } else {
+                                                            phi_1538_ = true;
+                                                        }
+                                                        let _e1342 = phi_1538_;
+                                                        phi_1539_ = _e1342;
+                                                    } else {
+                                                        phi_1539_ = true;
+                                                    }
+                                                    let _e1344 = phi_1539_;
+                                                    if _e1344 {
+                                                        if (_e1337 >= _e1338) {
+                                                            phi_1547_ = 1u;
+                                                        } else {
+                                                            phi_1547_ = 2u;
+                                                        }
+                                                        let _e1347 = phi_1547_;
+                                                        phi_1548_ = _e1347;
+                                                    } else {
+                                                        phi_1548_ = 0u;
+                                                    }
+                                                    let _e1349 = phi_1548_;
+                                                    if (_e1349 == 0u) {
+                                                        phi_1560_ = vec3<f32>(_e1120, _e1133, _e1107);
+                                                    } else {
+                                                        if (_e1349 == 1u) {
+                                                            phi_1559_ = vec3<f32>(_e1133, _e1107, _e1120);
+                                                        } else {
+                                                            phi_1559_ = vec3<f32>(_e1107, _e1120, _e1133);
+                                                        }
+                                                        let _e1355 = phi_1559_;
+                                                        phi_1560_ = _e1355;
+                                                    }
+                                                    let _e1357 = phi_1560_;
+                                                    let _e1360 = (_e1357.x / _e1357.z);
+                                                    let _e1363 = (_e1357.y / _e1357.z);
+                                                    let _e1365 = (1f / _e1357.z);
+                                                    if (_e1278 < 0f) {
+                                                        phi_1573_ = 0u;
+                                                    } else {
+                                                        phi_1573_ = 1u;
+                                                    }
+                                                    let _e1368 = phi_1573_;
+                                                    if (_e1288 < 0f) {
+                                                        phi_1578_ = 0u;
+                                                    } else {
+                                                        phi_1578_ = 2u;
+                                                    }
+                                                    let _e1371 = phi_1578_;
+                                                    if (_e1298 < 0f) {
+                                                        phi_1583_ = 0u;
+                                                    } else {
+                                                        phi_1583_ = 4u;
+                                                    }
+                                                    let _e1374 = phi_1583_;
+                                                    let _e1376 = ((_e1368 | _e1371) | _e1374);
+                                                    let _e1377 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1138, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1377.first[0], _e1377.first[1], _e1377.first[2], _e1377.first[3], _e1377.first[4], _e1377.first[5], _e1377.first[6], _e1377.first[7], _e1377.first[8], _e1377.first[9], _e1377.first[10], _e1377.first[11], _e1377.first[12], _e1377.first[13], _e1377.first[14], _e1377.first[15], _e1377.first[16], _e1377.first[17], _e1377.first[18], _e1377.first[19], _e1377.first[20], _e1377.first[21], _e1377.first[22], _e1377.first[23], _e1377.first[24], _e1377.first[25], _e1377.first[26], _e1377.first[27], _e1377.first[28], _e1377.first[29], _e1377.first[30], _e1377.first[31]), array<u32, 32>(_e1377.mask[0], _e1377.mask[1], _e1377.mask[2], _e1377.mask[3], _e1377.mask[4], _e1377.mask[5], _e1377.mask[6], _e1377.mask[7], _e1377.mask[8], _e1377.mask[9], _e1377.mask[10], _e1377.mask[11], _e1377.mask[12], _e1377.mask[13], _e1377.mask[14], _e1377.mask[15], _e1377.mask[16], _e1377.mask[17], _e1377.mask[18], _e1377.mask[19], _e1377.mask[20], _e1377.mask[21], _e1377.mask[22], _e1377.mask[23], _e1377.mask[24], _e1377.mask[25], _e1377.mask[26], _e1377.mask[27], _e1377.mask[28], _e1377.mask[29], _e1377.mask[30], _e1377.mask[31]), _e1377.len, _e1377.group, _e1377.group_mask);
+                                                    let _e1451 = local.group_mask;
+                                                    if ((_e1451 & 4278190080u) == 0u) {
+                                                        let _e1455 = local.len;
+                                                        if (_e1455 == 0u) {
+                                                            phi_1697_ = false;
+                                                        } else {
+                                                            let _e1459 = local.len;
+                                                            local.len = (_e1459 - 1u);
+                                                            let _e1462 = local.len;
+                                                            if (_e1462 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1467 = local.first[(0u + _e1462)];
+                                                            local.group = _e1467;
+                                                            let _e1470 = local.len;
+                                                            if (_e1470 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1475 = local.mask[(0u + _e1470)];
+                                                            local.group_mask = _e1475;
+                                                            phi_1697_ = true;
+                                                        }
+                                                        let _e1478 = phi_1697_;
+                                                        phi_1698_ = _e1478;
+                                                    } else {
+                                                        phi_1698_ = true;
+                                                    }
+                                                    let _e1480 = phi_1698_;
+                                                    if _e1480 {
+                                                        let _e1482 = local.group_mask;
+                                                        let _e1488 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1482)), 32u, (_e1482 == 0u)));
+                                                        let _e1492 = local.group_mask;
+                                                        let _e1506 = local.group_mask;
+                                                        local.group_mask = (_e1506 & ~((1u << bitcast<u32>((_e1488 & 31u)))));
+                                                        let _e1509 = local.group;
+                                                        phi_1729_ = (_e1509 + countOneBits(((_e1492 & ~((4294967295u << bitcast<u32>((((_e1488 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    } else {
+                                                        phi_1729_ = 4294967295u;
+                                                    }
+                                                    let _e1512 = phi_1729_;
+                                                    phi_1731_ = _e971;
+                                                    phi_1734_ = _e1512;
+                                                    loop {
+                                                        let _e1514 = phi_1731_;
+                                                        let _e1516 = phi_1734_;
+                                                        local_9 = _e1514;
+                                                        let _e1517 = (_e1516 != 4294967295u);
+                                                        if _e1517 {
+                                                            if (_e1516 < _e69) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1524 = nodes.member[(0u + _e1516)].frame[3u];
+                                                            let _e1549 = (bitcast<f32>((((_e1524 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1278);
+                                                            let _e1550 = (bitcast<f32>((((_e1524 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1288);
+                                                            let _e1551 = (bitcast<f32>((((_e1524 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1298);
+                                                            let _e1554 = nodes.member[(0u + _e1516)].frame[0u];
+                                                            let _e1558 = nodes.member[(0u + _e1516)].frame[1u];
+                                                            let _e1562 = nodes.member[(0u + _e1516)].frame[2u];
+                                                            let _e1567 = ((bitcast<f32>(_e1554) - _e1063) * _e1278);
+                                                            let _e1568 = ((bitcast<f32>(_e1558) - _e1076) * _e1288);
+                                                            let _e1569 = ((bitcast<f32>(_e1562) - _e1089) * _e1298);
+                                                            let _e1577 = nodes.member[(0u + _e1516)].x;
+                                                            if (_e1278 < 0f) {
+                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1577.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1588.unnamed.root, _e1577.w), _e1588.unnamed_1);
+                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1594.unnamed, lt_bvh_traverse_Tree(_e1577.x, _e1594.unnamed_1.first_primitive));
+                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1600.unnamed, lt_bvh_traverse_Tree(_e1600.unnamed_1.root, _e1577.y));
+                                                            } else {
+                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1577.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1616.unnamed.root, _e1577.y), _e1616.unnamed_1);
+                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1622.unnamed, lt_bvh_traverse_Tree(_e1577.z, _e1622.unnamed_1.first_primitive));
+                                                                phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1628.unnamed, lt_bvh_traverse_Tree(_e1628.unnamed_1.root, _e1577.w));
+                                                            }
+                                                            let _e1636 = phi_1815_;
+                                                            let _e1646 = nodes.member[(0u + _e1516)].y;
+                                                            if (_e1288 < 0f) {
+                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1657.unnamed.root, _e1646.w), _e1657.unnamed_1);
+                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1663.unnamed, lt_bvh_traverse_Tree(_e1646.x, _e1663.unnamed_1.first_primitive));
+                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_bvh_traverse_Tree(_e1669.unnamed_1.root, _e1646.y));
+                                                            } else {
+                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1685.unnamed.root, _e1646.y), _e1685.unnamed_1);
+                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1691.unnamed, lt_bvh_traverse_Tree(_e1646.z, _e1691.unnamed_1.first_primitive));
+                                                                phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1697.unnamed, lt_bvh_traverse_Tree(_e1697.unnamed_1.root, _e1646.w));
+                                                            }
+                                                            let _e1705 = phi_1842_;
+                                                            let _e1715 = nodes.member[(0u + _e1516)].z;
+                                                            if (_e1298 < 0f) {
+                                                                let _e1726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1726.unnamed.root, _e1715.w), _e1726.unnamed_1);
+                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1732.unnamed, lt_bvh_traverse_Tree(_e1715.x, _e1732.unnamed_1.first_primitive));
+                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_bvh_traverse_Tree(_e1738.unnamed_1.root, _e1715.y));
+                                                            } else {
+                                                                let _e1754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1754.unnamed.root, _e1715.y), _e1754.unnamed_1);
+                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1760.unnamed, lt_bvh_traverse_Tree(_e1715.z, _e1760.unnamed_1.first_primitive));
+                                                                phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1766.unnamed, lt_bvh_traverse_Tree(_e1766.unnamed_1.root, _e1715.w));
+                                                            }
+                                                            let _e1774 = phi_1869_;
+                                                            phi_1875_ = 0u;
+                                                            phi_1878_ = 0u;
+                                                            loop {
+                                                                let _e1784 = phi_1875_;
+                                                                let _e1786 = phi_1878_;
+                                                                local_5 = _e1786;
+                                                                local_6 = _e1786;
+                                                                local_7 = _e1786;
+                                                                let _e1787 = (_e1784 < 8u);
+                                                                if _e1787 {
+                                                                    let _e1789 = (_e1784 >> bitcast<u32>(2i));
+                                                                    let _e1790 = (_e1784 & 3u);
+                                                                    if (_e1789 == 0u) {
+                                                                        phi_1892_ = _e1636.unnamed.root;
+                                                                    } else {
+                                                                        phi_1892_ = _e1636.unnamed.first_primitive;
+                                                                    }
+                                                                    let _e1793 = phi_1892_;
+                                                                    if (_e1789 == 0u) {
+                                                                        phi_1902_ = _e1705.unnamed.root;
+                                                                    } else {
+                                                                        phi_1902_ = _e1705.unnamed.first_primitive;
+                                                                    }
+                                                                    let _e1802 = phi_1902_;
+                                                                    if (_e1789 == 0u) {
+                                                                        phi_1912_ = _e1774.unnamed.root;
+                                                                    } else {
+                                                                        phi_1912_ = _e1774.unnamed.first_primitive;
+                                                                    }
+                                                                    let _e1811 = phi_1912_;
+                                                                    let _e1824 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1793 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 - _e1326)), ((f32(((_e1802 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 - _e1327)));
+                                                                    let _e1825 = core_intrinsics_maximum_number_nsz_f32_(_e1824, ((f32(((_e1811 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1551) + (_e1569 - _e1328)));
+                                                                    if (_e1789 == 0u) {
+                                                                        phi_1930_ = _e1636.unnamed_1.root;
+                                                                    } else {
+                                                                        phi_1930_ = _e1636.unnamed_1.first_primitive;
+                                                                    }
+                                                                    let _e1828 = phi_1930_;
+                                                                    if (_e1789 == 0u) {
+                                                                        phi_1940_ = _e1705.unnamed_1.root;
+                                                                    } else {
+                                                                        phi_1940_ = _e1705.unnamed_1.first_primitive;
+                                                                    }
+                                                                    let _e1837 = phi_1940_;
+                                                                    if (_e1789 == 0u) {
+                                                                        phi_1950_ = _e1774.unnamed_1.root;
+                                                                    } else {
+                                                                        phi_1950_ = _e1774.unnamed_1.first_primitive;
+                                                                    }
+                                                                    let _e1846 = phi_1950_;
+                                                                    let _e1859 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1828 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 + _e1326)), ((f32(((_e1837 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 + _e1327)));
+                                                                    let _e1860 = core_intrinsics_minimum_number_nsz_f32_(_e1859, ((f32(((_e1846 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u)) * _e1551) + (_e1569 + _e1328)));
+                                                                    if (_e1825 <= _e1860) {
+                                                                        if (_e1825 <= _e1514.t) {
+                                                                            if (_e1860 >= _e153.tmin) {
+                                                                                if (_e1789 == 0u) {
+                                                                                    let _e1867 = nodes.member[(0u + _e1516)].links[2u];
+                                                                                    phi_1986_ = _e1867;
+                                                                                } else {
+                                                                                    let _e1870 = nodes.member[(0u + _e1516)].links[3u];
+                                                                                    phi_1986_ = _e1870;
+                                                                                }
+                                                                                let _e1872 = phi_1986_;
+                                                                                let _e1877 = ((_e1872 >> bitcast<u32>(((_e1790 * 8u) & 31u))) & 255u);
+                                                                                let _e1878 = (_e1877 & 31u);
+                                                                                if (_e1878 >= 24u) {
+                                                                                    phi_1999_ = (24u + ((_e1878 - 24u) ^ _e1376));
+                                                                                } else {
+                                                                                    phi_1999_ = _e1878;
+                                                                                }
+                                                                                let _e1884 = phi_1999_;
+                                                                                phi_2004_ = (_e1786 | ((_e1877 >> bitcast<u32>(5i)) << bitcast<u32>((_e1884 & 31u))));
+                                                                            } else {
+                                                                                phi_2004_ = _e1786;
+                                                                            }
+                                                                            let _e1892 = phi_2004_;
+                                                                            phi_2005_ = _e1892;
+                                                                        } else {
+                                                                            phi_2005_ = _e1786;
+                                                                        }
+                                                                        let _e1894 = phi_2005_;
+                                                                        phi_2006_ = _e1894;
+                                                                    } else {
+                                                                        phi_2006_ = _e1786;
+                                                                    }
+                                                                    let _e1896 = phi_2006_;
+                                                                    phi_1876_ = (_e1784 + 1u);
+                                                                    phi_1879_ = _e1896;
+                                                                } else {
+                                                                    phi_1876_ = u32();
+                                                                    phi_1879_ = u32();
+                                                                }
+                                                                let _e1899 = phi_1876_;
+                                                                let _e1901 = phi_1879_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_1875_ = _e1899;
+                                                                    phi_1878_ = _e1901;
+                                                                    break if !(_e1787);
+                                                                }
+                                                            }
+                                                            let _e1905 = nodes.member[(0u + _e1516)].links[0u];
+                                                            let _e1909 = nodes.member[(0u + _e1516)].frame[3u];
+                                                            let _e1913 = local_5;
+                                                            if ((_e1913 & 4278190080u) == 0u) {
+                                                            } else {
+                                                                let _e1917 = local.group_mask;
+                                                                if ((_e1917 & 4278190080u) == 0u) {
+                                                                } else {
+                                                                    let _e1921 = local.len;
+                                                                    if (_e1921 < 32u) {
+                                                                        let _e1924 = local.group;
+                                                                        let _e1926 = local.len;
+                                                                        if (_e1926 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local.first[(0u + _e1926)] = _e1924;
+                                                                        let _e1932 = local.group_mask;
+                                                                        let _e1934 = local.len;
+                                                                        if (_e1934 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local.mask[(0u + _e1934)] = _e1932;
+                                                                        let _e1941 = local.len;
+                                                                        local.len = (_e1941 + 1u);
+                                                                    }
+                                                                }
+                                                                local.group = (_e1138 + _e1905);
+                                                                let _e1945 = local_6;
+                                                                local.group_mask = ((_e1945 & 4278190080u) | (_e1909 >> bitcast<u32>(24i)));
+                                                            }
+                                                            let _e1950 = local_7;
+                                                            phi_2064_ = _e1514;
+                                                            phi_2067_ = (_e1950 & 16777215u);
+                                                            loop {
+                                                                let _e1953 = phi_2064_;
+                                                                let _e1955 = phi_2067_;
+                                                                local_8 = _e1953;
+                                                                if (_e1955 == 0u) {
+                                                                    phi_2065_ = lt_bvh_Hit();
+                                                                    phi_2068_ = u32();
+                                                                    phi_2612_ = false;
+                                                                } else {
+                                                                    let _e1959 = nodes.member[(0u + _e1516)].links[1u];
+                                                                    let _e1964 = ((_e1140 + _e1959) + select(firstTrailingBit(_e1955), 32u, (_e1955 == 0u)));
+                                                                    if (_e1964 < _e72) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e1971 = triangles.member[(0u + _e1964)].v0_;
+                                                                    let _e1973 = (_e1971.x - _e1063);
+                                                                    let _e1975 = (_e1971.y - _e1076);
+                                                                    let _e1977 = (_e1971.z - _e1089);
+                                                                    if (_e1349 == 0u) {
+                                                                        phi_2112_ = vec3<f32>(_e1975, _e1977, _e1973);
+                                                                    } else {
+                                                                        if (_e1349 == 1u) {
+                                                                            phi_2111_ = vec3<f32>(_e1977, _e1973, _e1975);
+                                                                        } else {
+                                                                            phi_2111_ = (_e1971 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                        }
+                                                                        let _e1985 = phi_2111_;
+                                                                        phi_2112_ = _e1985;
+                                                                    }
+                                                                    let _e1987 = phi_2112_;
+                                                                    let _e1991 = (_e1987.x - (_e1360 * _e1987.z));
+                                                                    let _e1995 = (_e1987.y - (_e1363 * _e1987.z));
+                                                                    let _e1999 = triangles.member[(0u + _e1964)].v1_;
+                                                                    let _e2001 = (_e1999.x - _e1063);
+                                                                    let _e2003 = (_e1999.y - _e1076);
+                                                                    let _e2005 = (_e1999.z - _e1089);
+                                                                    if (_e1349 == 0u) {
+                                                                        phi_2144_ = vec3<f32>(_e2003, _e2005, _e2001);
+                                                                    } else {
+                                                                        if (_e1349 == 1u) {
+                                                                            phi_2143_ = vec3<f32>(_e2005, _e2001, _e2003);
+                                                                        } else {
+                                                                            phi_2143_ = (_e1999 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                        }
+                                                                        let _e2013 = phi_2143_;
+                                                                        phi_2144_ = _e2013;
+                                                                    }
+                                                                    let _e2015 = phi_2144_;
+                                                                    let _e2019 = (_e2015.x - (_e1360 * _e2015.z));
+                                                                    let _e2023 = (_e2015.y - (_e1363 * _e2015.z));
+                                                                    let _e2027 = triangles.member[(0u + _e1964)].v2_;
+                                                                    let _e2029 = (_e2027.x - _e1063);
+                                                                    let _e2031 = (_e2027.y - _e1076);
+                                                                    let _e2033 = (_e2027.z - _e1089);
+                                                                    if (_e1349 == 0u) {
+                                                                        phi_2176_ = vec3<f32>(_e2031, _e2033, _e2029);
+                                                                    } else {
+                                                                        if (_e1349 == 1u) {
+                                                                            phi_2175_ = vec3<f32>(_e2033, _e2029, _e2031);
+                                                                        } else {
+                                                                            phi_2175_ = (_e2027 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                        }
+                                                                        let _e2041 = phi_2175_;
+                                                                        phi_2176_ = _e2041;
+                                                                    }
+                                                                    let _e2043 = phi_2176_;
+                                                                    let _e2047 = (_e2043.x - (_e1360 * _e2043.z));
+                                                                    let _e2051 = (_e2043.y - (_e1363 * _e2043.z));
+                                                                    if (_e2019 < _e2047) {
+                                                                        phi_2197_ = true;
+                                                                    } else {
+                                                                        if (_e2019 == _e2047) {
+                                                                            phi_2196_ = (_e2023 < _e2051);
+                                                                        } else {
+                                                                            phi_2196_ = false;
+                                                                        }
+                                                                        let _e2058 = phi_2196_;
+                                                                        phi_2197_ = _e2058;
+                                                                    }
+                                                                    let _e2060 = phi_2197_;
+                                                                    if _e2060 {
+                                                                        phi_2201_ = _e2051;
+                                                                        phi_2202_ = _e2047;
+                                                                        phi_2203_ = _e2023;
+                                                                        phi_2204_ = _e2019;
+                                                                    } else {
+                                                                        phi_2201_ = _e2023;
+                                                                        phi_2202_ = _e2019;
+                                                                        phi_2203_ = _e2051;
+                                                                        phi_2204_ = _e2047;
+                                                                    }
+                                                                    let _e2062 = phi_2201_;
+                                                                    let _e2064 = phi_2202_;
+                                                                    let _e2066 = phi_2203_;
+                                                                    let _e2068 = phi_2204_;
+                                                                    let _e2071 = ((_e2068 * _e2062) - (_e2066 * _e2064));
+                                                                    if _e2060 {
+                                                                        phi_2212_ = -(_e2071);
+                                                                    } else {
+                                                                        phi_2212_ = _e2071;
+                                                                    }
+                                                                    let _e2074 = phi_2212_;
+                                                                    if (_e2047 < _e1991) {
+                                                                        phi_2223_ = true;
+                                                                    } else {
+                                                                        if (_e2047 == _e1991) {
+                                                                            phi_2222_ = (_e2051 < _e1995);
+                                                                        } else {
+                                                                            phi_2222_ = false;
+                                                                        }
+                                                                        let _e2079 = phi_2222_;
+                                                                        phi_2223_ = _e2079;
+                                                                    }
+                                                                    let _e2081 = phi_2223_;
+                                                                    if _e2081 {
+                                                                        phi_2227_ = _e1995;
+                                                                        phi_2228_ = _e1991;
+                                                                        phi_2229_ = _e2051;
+                                                                        phi_2230_ = _e2047;
+                                                                    } else {
+                                                                        phi_2227_ = _e2051;
+                                                                        phi_2228_ = _e2047;
+                                                                        phi_2229_ = _e1995;
+                                                                        phi_2230_ = _e1991;
+                                                                    }
+                                                                    let _e2083 = phi_2227_;
+                                                                    let _e2085 = phi_2228_;
+                                                                    let _e2087 = phi_2229_;
+                                                                    let _e2089 = phi_2230_;
+                                                                    let _e2092 = ((_e2089 * _e2083) - (_e2087 * _e2085));
+                                                                    if _e2081 {
+                                                                        phi_2238_ = -(_e2092);
+                                                                    } else {
+                                                                        phi_2238_ = _e2092;
+                                                                    }
+                                                                    let _e2095 = phi_2238_;
+                                                                    if (_e1991 < _e2019) {
+                                                                        phi_2249_ = true;
+                                                                    } else {
+                                                                        if (_e1991 == _e2019) {
+                                                                            phi_2248_ = (_e1995 < _e2023);
+                                                                        } else {
+                                                                            phi_2248_ = false;
+                                                                        }
+                                                                        let _e2100 = phi_2248_;
+                                                                        phi_2249_ = _e2100;
+                                                                    }
+                                                                    let _e2102 = phi_2249_;
+                                                                    if _e2102 {
+                                                                        phi_2253_ = _e2023;
+                                                                        phi_2254_ = _e2019;
+                                                                        phi_2255_ = _e1995;
+                                                                        phi_2256_ = _e1991;
+                                                                    } else {
+                                                                        phi_2253_ = _e1995;
+                                                                        phi_2254_ = _e1991;
+                                                                        phi_2255_ = _e2023;
+                                                                        phi_2256_ = _e2019;
+                                                                    }
+                                                                    let _e2104 = phi_2253_;
+                                                                    let _e2106 = phi_2254_;
+                                                                    let _e2108 = phi_2255_;
+                                                                    let _e2110 = phi_2256_;
+                                                                    let _e2113 = ((_e2110 * _e2104) - (_e2108 * _e2106));
+                                                                    if _e2102 {
+                                                                        phi_2264_ = -(_e2113);
+                                                                    } else {
+                                                                        phi_2264_ = _e2113;
+                                                                    }
+                                                                    let _e2116 = phi_2264_;
+                                                                    if (_e2074 >= 0f) {
+                                                                        if (_e2095 >= 0f) {
+                                                                            if (_e2116 >= 0f) {
+                                                                                phi_2279_ = ((_e2074 + _e2095) + _e2116);
+                                                                                phi_2280_ = false;
+                                                                            } else {
+                                                                                phi_2279_ = f32();
+                                                                                phi_2280_ = true;
+                                                                            }
+                                                                            let _e2123 = phi_2279_;
+                                                                            let _e2125 = phi_2280_;
+                                                                            phi_2281_ = _e2123;
+                                                                            phi_2282_ = _e2125;
+                                                                        } else {
+                                                                            phi_2281_ = f32();
+                                                                            phi_2282_ = true;
+                                                                        }
+                                                                        let _e2127 = phi_2281_;
+                                                                        let _e2129 = phi_2282_;
+                                                                        phi_2283_ = _e2127;
+                                                                        phi_2284_ = _e2129;
+                                                                    } else {
+                                                                        phi_2283_ = f32();
+                                                                        phi_2284_ = true;
+                                                                    }
+                                                                    let _e2131 = phi_2283_;
+                                                                    let _e2133 = phi_2284_;
+                                                                    if _e2133 {
+                                                                        if (_e2074 <= 0f) {
+                                                                            if (_e2095 <= 0f) {
+                                                                                let _e2136 = (_e2116 <= 0f);
+                                                                                if _e2136 {
+                                                                                }
+                                                                                phi_2302_ = ((_e2074 + _e2095) + _e2116);
+                                                                                phi_2303_ = false;
+                                                                                phi_2304_ = _e2136;
+                                                                            } else {
+                                                                                phi_2302_ = f32();
+                                                                                phi_2303_ = true;
+                                                                                phi_2304_ = false;
+                                                                            }
+                                                                            let _e2140 = phi_2302_;
+                                                                            let _e2142 = phi_2303_;
+                                                                            let _e2144 = phi_2304_;
+                                                                            phi_2305_ = _e2140;
+                                                                            phi_2306_ = _e2142;
+                                                                            phi_2307_ = _e2144;
+                                                                        } else {
+                                                                            phi_2305_ = f32();
+                                                                            phi_2306_ = true;
+                                                                            phi_2307_ = false;
+                                                                        }
+                                                                        let _e2146 = phi_2305_;
+                                                                        let _e2148 = phi_2306_;
+                                                                        let _e2150 = phi_2307_;
+                                                                        if _e2148 {
+                                                                            phi_2311_ = false;
+                                                                        } else {
+                                                                            phi_2311_ = _e2150;
+                                                                        }
+                                                                        let _e2152 = phi_2311_;
+                                                                        phi_2312_ = _e2146;
+                                                                        phi_2313_ = _e2152;
+                                                                    } else {
+                                                                        phi_2312_ = _e2131;
+                                                                        phi_2313_ = true;
+                                                                    }
+                                                                    let _e2154 = phi_2312_;
+                                                                    let _e2156 = phi_2313_;
+                                                                    if _e2156 {
+                                                                        let _e2157 = (_e2154 == 0f);
+                                                                        if _e2157 {
+                                                                            phi_2526_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2527_ = false;
+                                                                        } else {
+                                                                            let _e2163 = ((((_e2074 * (_e1365 * _e1987.z)) + (_e2095 * (_e1365 * _e2015.z))) + (_e2116 * (_e1365 * _e2043.z))) / _e2154);
+                                                                            if (_e2163 > _e153.tmin) {
+                                                                                if (_e2163 < _e153.tmax) {
+                                                                                    let _e2167 = triangles.member[(0u + _e1964)].v0_;
+                                                                                    let _e2169 = triangles.member[(0u + _e1964)].v1_;
+                                                                                    if (_e2167.x < _e2169.x) {
+                                                                                        phi_2347_ = _e2167.x;
+                                                                                    } else {
+                                                                                        phi_2347_ = _e2169.x;
+                                                                                    }
+                                                                                    let _e2176 = phi_2347_;
+                                                                                    if (_e2167.y < _e2169.y) {
+                                                                                        phi_2356_ = _e2167.y;
+                                                                                    } else {
+                                                                                        phi_2356_ = _e2169.y;
+                                                                                    }
+                                                                                    let _e2183 = phi_2356_;
+                                                                                    if (_e2167.z < _e2169.z) {
+                                                                                        phi_2365_ = _e2167.z;
+                                                                                    } else {
+                                                                                        phi_2365_ = _e2169.z;
+                                                                                    }
+                                                                                    let _e2190 = phi_2365_;
+                                                                                    let _e2192 = triangles.member[(0u + _e1964)].v2_;
+                                                                                    if (_e2176 < _e2192.x) {
+                                                                                        phi_2374_ = _e2176;
+                                                                                    } else {
+                                                                                        phi_2374_ = _e2192.x;
+                                                                                    }
+                                                                                    let _e2197 = phi_2374_;
+                                                                                    if (_e2183 < _e2192.y) {
+                                                                                        phi_2381_ = _e2183;
+                                                                                    } else {
+                                                                                        phi_2381_ = _e2192.y;
+                                                                                    }
+                                                                                    let _e2202 = phi_2381_;
+                                                                                    if (_e2190 < _e2192.z) {
+                                                                                        phi_2388_ = _e2190;
+                                                                                    } else {
+                                                                                        phi_2388_ = _e2192.z;
+                                                                                    }
+                                                                                    let _e2207 = phi_2388_;
+                                                                                    let _e2209 = triangles.member[(0u + _e1964)].v0_;
+                                                                                    let _e2211 = triangles.member[(0u + _e1964)].v1_;
+                                                                                    if (_e2209.x > _e2211.x) {
+                                                                                        phi_2401_ = _e2209.x;
+                                                                                    } else {
+                                                                                        phi_2401_ = _e2211.x;
+                                                                                    }
+                                                                                    let _e2218 = phi_2401_;
+                                                                                    if (_e2209.y > _e2211.y) {
+                                                                                        phi_2410_ = _e2209.y;
+                                                                                    } else {
+                                                                                        phi_2410_ = _e2211.y;
+                                                                                    }
+                                                                                    let _e2225 = phi_2410_;
+                                                                                    if (_e2209.z > _e2211.z) {
+                                                                                        phi_2419_ = _e2209.z;
+                                                                                    } else {
+                                                                                        phi_2419_ = _e2211.z;
+                                                                                    }
+                                                                                    let _e2232 = phi_2419_;
+                                                                                    let _e2234 = triangles.member[(0u + _e1964)].v2_;
+                                                                                    if (_e2218 > _e2234.x) {
+                                                                                        phi_2428_ = _e2218;
+                                                                                    } else {
+                                                                                        phi_2428_ = _e2234.x;
+                                                                                    }
+                                                                                    let _e2239 = phi_2428_;
+                                                                                    if (_e2225 > _e2234.y) {
+                                                                                        phi_2435_ = _e2225;
+                                                                                    } else {
+                                                                                        phi_2435_ = _e2234.y;
+                                                                                    }
+                                                                                    let _e2244 = phi_2435_;
+                                                                                    if (_e2232 > _e2234.z) {
+                                                                                        phi_2442_ = _e2232;
+                                                                                    } else {
+                                                                                        phi_2442_ = _e2234.z;
+                                                                                    }
+                                                                                    let _e2249 = phi_2442_;
+                                                                                    let _e2253 = ((_e2197 - _e1063) * _e1278);
+                                                                                    let _e2254 = ((_e2202 - _e1076) * _e1288);
+                                                                                    let _e2255 = ((_e2207 - _e1089) * _e1298);
+                                                                                    let _e2259 = ((_e2239 - _e1063) * _e1278);
+                                                                                    let _e2260 = ((_e2244 - _e1076) * _e1288);
+                                                                                    let _e2261 = ((_e2249 - _e1089) * _e1298);
+                                                                                    if (_e2253 < _e2259) {
+                                                                                        phi_2459_ = _e2253;
+                                                                                    } else {
+                                                                                        phi_2459_ = _e2259;
+                                                                                    }
+                                                                                    let _e2264 = phi_2459_;
+                                                                                    if (_e2254 < _e2260) {
+                                                                                        phi_2464_ = _e2254;
+                                                                                    } else {
+                                                                                        phi_2464_ = _e2260;
+                                                                                    }
+                                                                                    let _e2267 = phi_2464_;
+                                                                                    if (_e2255 < _e2261) {
+                                                                                        phi_2469_ = _e2255;
+                                                                                    } else {
+                                                                                        phi_2469_ = _e2261;
+                                                                                    }
+                                                                                    let _e2270 = phi_2469_;
+                                                                                    if (_e2253 > _e2259) {
+                                                                                        phi_2477_ = _e2253;
+                                                                                    } else {
+                                                                                        phi_2477_ = _e2259;
+                                                                                    }
+                                                                                    let _e2276 = phi_2477_;
+                                                                                    if (_e2254 > _e2260) {
+                                                                                        phi_2482_ = _e2254;
+                                                                                    } else {
+                                                                                        phi_2482_ = _e2260;
+                                                                                    }
+                                                                                    let _e2279 = phi_2482_;
+                                                                                    if (_e2255 > _e2261) {
+                                                                                        phi_2487_ = _e2255;
+                                                                                    } else {
+                                                                                        phi_2487_ = _e2261;
+                                                                                    }
+                                                                                    let _e2282 = phi_2487_;
+                                                                                    let _e2286 = core_intrinsics_maximum_number_nsz_f32_((_e2264 - _e1333), (_e2267 - _e1334));
+                                                                                    let _e2287 = core_intrinsics_maximum_number_nsz_f32_(_e2286, (_e2270 - _e1335));
+                                                                                    let _e2288 = core_intrinsics_minimum_number_nsz_f32_((_e2276 + _e1333), (_e2279 + _e1334));
+                                                                                    let _e2289 = core_intrinsics_minimum_number_nsz_f32_(_e2288, (_e2282 + _e1335));
+                                                                                    if (_e2287 > _e1038) {
+                                                                                        phi_2499_ = _e2287;
+                                                                                    } else {
+                                                                                        phi_2499_ = _e1038;
+                                                                                    }
+                                                                                    let _e2292 = phi_2499_;
+                                                                                    if (_e2289 < _e1040) {
+                                                                                        phi_2504_ = _e2289;
+                                                                                    } else {
+                                                                                        phi_2504_ = _e1040;
+                                                                                    }
+                                                                                    let _e2295 = phi_2504_;
+                                                                                    if (_e2163 < _e2292) {
+                                                                                        phi_2509_ = _e2292;
+                                                                                    } else {
+                                                                                        phi_2509_ = _e2163;
+                                                                                    }
+                                                                                    let _e2298 = phi_2509_;
+                                                                                    if (_e2298 > _e2295) {
+                                                                                        phi_2514_ = _e2295;
+                                                                                    } else {
+                                                                                        phi_2514_ = _e2298;
+                                                                                    }
+                                                                                    let _e2301 = phi_2514_;
+                                                                                    phi_2519_ = lt_bvh_triangle_Intersection(_e2301, (_e2095 / _e2154), (_e2116 / _e2154), (_e2292 <= _e2295));
+                                                                                    phi_2520_ = false;
+                                                                                } else {
+                                                                                    phi_2519_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2520_ = true;
+                                                                                }
+                                                                                let _e2307 = phi_2519_;
+                                                                                let _e2309 = phi_2520_;
+                                                                                phi_2521_ = _e2307;
+                                                                                phi_2522_ = _e2309;
+                                                                            } else {
+                                                                                phi_2521_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2522_ = true;
+                                                                            }
+                                                                            let _e2311 = phi_2521_;
+                                                                            let _e2313 = phi_2522_;
+                                                                            if _e2313 {
+                                                                            }
+                                                                            phi_2526_ = _e2311;
+                                                                            phi_2527_ = _e2313;
+                                                                        }
+                                                                        let _e2315 = phi_2526_;
+                                                                        let _e2317 = phi_2527_;
+                                                                        phi_2528_ = _e2315;
+                                                                        phi_2529_ = _e2157;
+                                                                        phi_2530_ = _e2317;
+                                                                    } else {
+                                                                        phi_2528_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2529_ = true;
+                                                                        phi_2530_ = false;
+                                                                    }
+                                                                    let _e2319 = phi_2528_;
+                                                                    let _e2321 = phi_2529_;
+                                                                    let _e2323 = phi_2530_;
+                                                                    if _e2321 {
+                                                                        phi_2534_ = true;
+                                                                    } else {
+                                                                        phi_2534_ = _e2323;
+                                                                    }
+                                                                    let _e2325 = phi_2534_;
+                                                                    if _e2325 {
+                                                                        phi_2538_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    } else {
+                                                                        phi_2538_ = _e2319;
+                                                                    }
+                                                                    let _e2327 = phi_2538_;
+                                                                    if _e2327.is_hit {
+                                                                        if (_e2327.t > _e153.tmin) {
+                                                                            if (_e2327.t < _e1953.t) {
+                                                                                phi_2586_ = true;
+                                                                            } else {
+                                                                                if (_e2327.t == _e1953.t) {
+                                                                                    if (_e1953.triangle != 4294967295u) {
+                                                                                        if (_e1964 < _e1953.triangle) {
+                                                                                            phi_2577_ = true;
+                                                                                        } else {
+                                                                                            if (_e1964 == _e1953.triangle) {
+                                                                                                phi_2576_ = (_e979 < _e1953.instance);
+                                                                                            } else {
+                                                                                                phi_2576_ = false;
+                                                                                            }
+                                                                                            let _e2345 = phi_2576_;
+                                                                                            phi_2577_ = _e2345;
+                                                                                        }
+                                                                                        let _e2347 = phi_2577_;
+                                                                                        phi_2578_ = _e2347;
+                                                                                        phi_2579_ = false;
+                                                                                    } else {
+                                                                                        phi_2578_ = bool();
+                                                                                        phi_2579_ = true;
+                                                                                    }
+                                                                                    let _e2349 = phi_2578_;
+                                                                                    let _e2351 = phi_2579_;
+                                                                                    phi_2580_ = _e2349;
+                                                                                    phi_2581_ = _e2351;
+                                                                                } else {
+                                                                                    phi_2580_ = bool();
+                                                                                    phi_2581_ = true;
+                                                                                }
+                                                                                let _e2353 = phi_2580_;
+                                                                                let _e2355 = phi_2581_;
+                                                                                if _e2355 {
+                                                                                    phi_2585_ = false;
+                                                                                } else {
+                                                                                    phi_2585_ = _e2353;
+                                                                                }
+                                                                                let _e2357 = phi_2585_;
+                                                                                phi_2586_ = _e2357;
+                                                                            }
+                                                                            let _e2359 = phi_2586_;
+                                                                            if _e2359 {
+                                                                                let _e2361 = triangles.member[(0u + _e1964)].i0_;
+                                                                                if ((_e2361 & 2147483648u) == 0u) {
+                                                                                    phi_2600_ = true;
+                                                                                } else {
+                                                                                    if true {
+                                                                                    }
+                                                                                    phi_2600_ = true;
+                                                                                }
+                                                                                let _e2365 = phi_2600_;
+                                                                                if _e2365 {
+                                                                                    phi_2608_ = lt_bvh_Hit(_e2327.t, _e2327.u, _e2327.v, _e1964, _e979);
+                                                                                } else {
+                                                                                    phi_2608_ = _e1953;
+                                                                                }
+                                                                                let _e2371 = phi_2608_;
+                                                                                phi_2609_ = _e2371;
+                                                                            } else {
+                                                                                phi_2609_ = _e1953;
+                                                                            }
+                                                                            let _e2373 = phi_2609_;
+                                                                            phi_2610_ = _e2373;
+                                                                        } else {
+                                                                            phi_2610_ = _e1953;
+                                                                        }
+                                                                        let _e2375 = phi_2610_;
+                                                                        phi_2611_ = _e2375;
+                                                                    } else {
+                                                                        phi_2611_ = _e1953;
+                                                                    }
+                                                                    let _e2377 = phi_2611_;
+                                                                    phi_2065_ = _e2377;
+                                                                    phi_2068_ = (_e1955 & (_e1955 - 1u));
+                                                                    phi_2612_ = true;
+                                                                }
+                                                                let _e2379 = phi_2065_;
+                                                                let _e2381 = phi_2068_;
+                                                                let _e2383 = phi_2612_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_2064_ = _e2379;
+                                                                    phi_2067_ = _e2381;
+                                                                    break if !(_e2383);
+                                                                }
+                                                            }
+                                                            let _e2386 = local.group_mask;
+                                                            if ((_e2386 & 4278190080u) == 0u) {
+                                                                let _e2390 = local.len;
+                                                                if (_e2390 == 0u) {
+                                                                    phi_2651_ = false;
+                                                                } else {
+                                                                    let _e2394 = local.len;
+                                                                    local.len = (_e2394 - 1u);
+                                                                    let _e2397 = local.len;
+                                                                    if (_e2397 < 32u) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e2402 = local.first[(0u + _e2397)];
+                                                                    local.group = _e2402;
+                                                                    let _e2405 = local.len;
+                                                                    if (_e2405 < 32u) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e2410 = local.mask[(0u + _e2405)];
+                                                                    local.group_mask = _e2410;
+                                                                    phi_2651_ = true;
+                                                                }
+                                                                let _e2413 = phi_2651_;
+                                                                phi_2652_ = _e2413;
+                                                            } else {
+                                                                phi_2652_ = true;
+                                                            }
+                                                            let _e2415 = phi_2652_;
+                                                            if _e2415 {
+                                                                let _e2417 = local.group_mask;
+                                                                let _e2423 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2417)), 32u, (_e2417 == 0u)));
+                                                                let _e2427 = local.group_mask;
+                                                                let _e2441 = local.group_mask;
+                                                                local.group_mask = (_e2441 & ~((1u << bitcast<u32>((_e2423 & 31u)))));
+                                                                let _e2444 = local.group;
+                                                                phi_2683_ = (_e2444 + countOneBits(((_e2427 & ~((4294967295u << bitcast<u32>((((_e2423 - 24u) ^ _e1376) & 31u))))) & 255u)));
+                                                            } else {
+                                                                phi_2683_ = 4294967295u;
+                                                            }
+                                                            let _e2447 = phi_2683_;
+                                                            let _e3619 = local_8;
+                                                            phi_1732_ = _e3619;
+                                                            phi_1735_ = _e2447;
+                                                        } else {
+                                                            phi_1732_ = lt_bvh_Hit();
+                                                            phi_1735_ = u32();
+                                                        }
+                                                        let _e2449 = phi_1732_;
+                                                        let _e2451 = phi_1735_;
+                                                        continue;
+                                                        continuing {
+                                                            phi_1731_ = _e2449;
+                                                            phi_1734_ = _e2451;
+                                                            break if !(_e1517);
+                                                        }
+                                                    }
+                                                    let _e3623 = local_9;
+                                                    phi_2684_ = _e3623;
+                                                }
+                                                let _e2454 = phi_2684_;
+                                                phi_2685_ = _e2454;
+                                                phi_2686_ = _e1202;
+                                            } else {
+                                                phi_2685_ = lt_bvh_Hit();
+                                                phi_2686_ = true;
+                                            }
+                                            let _e2456 = phi_2685_;
+                                            let _e2458 = phi_2686_;
+                                            if _e2458 {
+                                                phi_2690_ = _e971;
+                                            } else {
+                                                phi_2690_ = _e2456;
+                                            }
+                                            let _e2460 = phi_2690_;
+                                            phi_2691_ = _e2460;
+                                        } else {
+                                            phi_2691_ = _e971;
+                                        }
+                                        let _e2462 = phi_2691_;
+                                        phi_2692_ = _e2462;
+                                    } else {
+                                        phi_2692_ = _e971;
+                                    }
+                                    let _e2464 = phi_2692_;
+                                    phi_2693_ = _e2464;
+                                } else {
+                                    phi_2693_ = _e971;
+                                }
+                                let _e2466 = phi_2693_;
+                                phi_1106_ = (_e969 & (_e969 - 1u));
+                                phi_1109_ = _e2466;
+                                phi_2694_ = true;
+                            }
+                            let _e2468 = phi_1106_;
+                            let _e2470 = phi_1109_;
+                            let _e2472 = phi_2694_;
+                            continue;
+                            continuing {
+                                phi_1105_ = _e2468;
+                                phi_1108_ = _e2470;
+                                break if !(_e2472);
+                            }
+                        }
+                        let _e2475 = local_1.group_mask;
+                        if ((_e2475 & 4278190080u) == 0u) {
+                            let _e2479 = local_1.len;
+                            if (_e2479 == 0u) {
+                                phi_2733_ = false;
+                            } else {
+                                let _e2483 = local_1.len;
+                                local_1.len = (_e2483 - 1u);
+                                let _e2486 = local_1.len;
+                                if (_e2486 < 32u) {
+                                } else {
+                                    return;
+                                }
+                                let _e2491 = local_1.first[(0u + _e2486)];
+                                local_1.group = _e2491;
+                                let _e2494 = local_1.len;
+                                if (_e2494 < 32u) {
+                                } else {
+                                    return;
+                                }
+                                let _e2499 = local_1.mask[(0u + _e2494)];
+                                local_1.group_mask = _e2499;
+                                phi_2733_ = true;
+                            }
+                            let _e2502 = phi_2733_;
+                            phi_2734_ = _e2502;
+                        } else {
+                            phi_2734_ = true;
+                        }
+                        let _e2504 = phi_2734_;
+                        if _e2504 {
+                            let _e2506 = local_1.group_mask;
+                            let _e2512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2506)), 32u, (_e2506 == 0u)));
+                            let _e2516 = local_1.group_mask;
+                            let _e2530 = local_1.group_mask;
+                            local_1.group_mask = (_e2530 & ~((1u << bitcast<u32>((_e2512 & 31u)))));
+                            let _e2533 = local_1.group;
+                            phi_2765_ = (_e2533 + countOneBits(((_e2516 & ~((4294967295u << bitcast<u32>((((_e2512 - 24u) ^ _e388) & 31u))))) & 255u)));
+                        } else {
+                            phi_2765_ = 4294967295u;
+                        }
+                        let _e2536 = phi_2765_;
+                        phi_769_ = _e2536;
+                        let _e3639 = local_10;
+                        phi_772_ = _e3639;
+                    } else {
+                        phi_769_ = u32();
+                        phi_772_ = lt_bvh_Hit();
+                    }
+                    let _e2538 = phi_769_;
+                    let _e2540 = phi_772_;
+                    continue;
+                    continuing {
+                        phi_768_ = _e2538;
+                        phi_771_ = _e2540;
+                        break if !(_e529);
+                    }
+                }
+                let _e3642 = local_11;
+                phi_2766_ = _e3642;
+            }
+            let _e2543 = phi_2766_;
+            phi_2767_ = _e2543;
+            phi_2768_ = _e225;
+        } else {
+            phi_2767_ = lt_bvh_Hit();
+            phi_2768_ = true;
+        }
+        let _e2545 = phi_2767_;
+        let _e2547 = phi_2768_;
+        if _e2547 {
+            phi_2772_ = _e155;
+        } else {
+            phi_2772_ = _e2545;
+        }
+        let _e2549 = phi_2772_;
+        if (_e2549.triangle != 4294967295u) {
+            let _e2555 = ((1f - _e2549.u) - _e2549.v);
+            if (_e2549.triangle < _e72) {
+            } else {
+                return;
+            }
+            let _e2561 = triangles.member[(0u + _e2549.triangle)];
+            if (_e2549.instance < _e84) {
+            } else {
+                return;
+            }
+            let _e2572 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
+            let _e2583 = ((((_e2572.x * _e2561.v0_.x) + (_e2572.y * _e2561.v0_.y)) + (_e2572.z * _e2561.v0_.z)) + (_e2572.w * 1f));
+            let _e2585 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
+            let _e2596 = ((((_e2585.x * _e2561.v0_.x) + (_e2585.y * _e2561.v0_.y)) + (_e2585.z * _e2561.v0_.z)) + (_e2585.w * 1f));
+            let _e2598 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
+            let _e2609 = ((((_e2598.x * _e2561.v0_.x) + (_e2598.y * _e2561.v0_.y)) + (_e2598.z * _e2561.v0_.z)) + (_e2598.w * 1f));
+            let _e2616 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
+            let _e2627 = ((((_e2616.x * _e2561.v1_.x) + (_e2616.y * _e2561.v1_.y)) + (_e2616.z * _e2561.v1_.z)) + (_e2616.w * 1f));
+            let _e2629 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
+            let _e2640 = ((((_e2629.x * _e2561.v1_.x) + (_e2629.y * _e2561.v1_.y)) + (_e2629.z * _e2561.v1_.z)) + (_e2629.w * 1f));
+            let _e2642 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
+            let _e2653 = ((((_e2642.x * _e2561.v1_.x) + (_e2642.y * _e2561.v1_.y)) + (_e2642.z * _e2561.v1_.z)) + (_e2642.w * 1f));
+            let _e2660 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
+            let _e2671 = ((((_e2660.x * _e2561.v2_.x) + (_e2660.y * _e2561.v2_.y)) + (_e2660.z * _e2561.v2_.z)) + (_e2660.w * 1f));
+            let _e2673 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
+            let _e2684 = ((((_e2673.x * _e2561.v2_.x) + (_e2673.y * _e2561.v2_.y)) + (_e2673.z * _e2561.v2_.z)) + (_e2673.w * 1f));
+            let _e2686 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
+            let _e2697 = ((((_e2686.x * _e2561.v2_.x) + (_e2686.y * _e2561.v2_.y)) + (_e2686.z * _e2561.v2_.z)) + (_e2686.w * 1f));
+            let _e2710 = (((_e2583 * _e2555) + (_e2627 * _e2549.u)) + (_e2671 * _e2549.v));
+            let _e2711 = (((_e2596 * _e2555) + (_e2640 * _e2549.u)) + (_e2684 * _e2549.v));
+            let _e2712 = (((_e2609 * _e2555) + (_e2653 * _e2549.u)) + (_e2697 * _e2549.v));
+            let _e2714 = abs(_e2583);
+            let _e2715 = abs(_e2596);
+            let _e2716 = abs(_e2609);
+            let _e2717 = abs(_e2627);
+            let _e2718 = abs(_e2640);
+            let _e2719 = abs(_e2653);
+            if (_e2714 > _e2717) {
+                phi_2960_ = _e2714;
+            } else {
+                phi_2960_ = _e2717;
+            }
+            let _e2722 = phi_2960_;
+            if (_e2715 > _e2718) {
+                phi_2965_ = _e2715;
+            } else {
+                phi_2965_ = _e2718;
+            }
+            let _e2725 = phi_2965_;
+            if (_e2716 > _e2719) {
+                phi_2970_ = _e2716;
+            } else {
+                phi_2970_ = _e2719;
+            }
+            let _e2728 = phi_2970_;
+            let _e2729 = abs(_e2671);
+            let _e2730 = abs(_e2684);
+            let _e2731 = abs(_e2697);
+            if (_e2722 > _e2729) {
+                phi_2978_ = _e2722;
+            } else {
+                phi_2978_ = _e2729;
+            }
+            let _e2734 = phi_2978_;
+            if (_e2725 > _e2730) {
+                phi_2983_ = _e2725;
+            } else {
+                phi_2983_ = _e2730;
+            }
+            let _e2737 = phi_2983_;
+            if (_e2728 > _e2731) {
+                phi_2988_ = _e2728;
+            } else {
+                phi_2988_ = _e2731;
+            }
+            let _e2740 = phi_2988_;
+            let _e2741 = (_e2627 - _e2583);
+            let _e2742 = (_e2640 - _e2596);
+            let _e2743 = (_e2653 - _e2609);
+            let _e2744 = (_e2671 - _e2583);
+            let _e2745 = (_e2684 - _e2596);
+            let _e2746 = (_e2697 - _e2609);
+            let _e2750 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2742), abs(_e2743));
+            let _e2751 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2741), _e2750);
+            let _e2752 = (_e2741 / _e2751);
+            let _e2753 = (_e2742 / _e2751);
+            let _e2754 = (_e2743 / _e2751);
+            let _e2758 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2745), abs(_e2746));
+            let _e2759 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2744), _e2758);
+            let _e2760 = (_e2744 / _e2759);
+            let _e2761 = (_e2745 / _e2759);
+            let _e2762 = (_e2746 / _e2759);
+            let _e2765 = ((_e2753 * _e2762) - (_e2761 * _e2754));
+            let _e2768 = ((_e2754 * _e2760) - (_e2762 * _e2752));
+            let _e2771 = ((_e2752 * _e2761) - (_e2760 * _e2753));
+            let _e2773 = p.member.eye;
+            let _e2786 = (1f / sqrt((((_e2765 * _e2765) + (_e2768 * _e2768)) + (_e2771 * _e2771))));
+            let _e2787 = (_e2765 * _e2786);
+            let _e2788 = (_e2768 * _e2786);
+            let _e2789 = (_e2771 * _e2786);
+            if ((((_e2787 * (_e2773.x - _e2710)) + (_e2788 * (_e2773.y - _e2711))) + (_e2789 * (_e2773.z - _e2712))) < 0f) {
+                phi_3052_ = vec3<f32>(-(_e2787), -(_e2788), -(_e2789));
+            } else {
+                phi_3052_ = vec3<f32>(_e2787, _e2788, _e2789);
+            }
+            let _e2802 = phi_3052_;
+            if (_e2549.triangle < _e72) {
+            } else {
+                return;
+            }
+            let _e2807 = triangles.member[(0u + _e2549.triangle)];
+            let _e2809 = (_e2807.i0_ & 2147483647u);
+            if (_e2809 < _e75) {
+            } else {
+                return;
+            }
+            let _e2815 = vertices.member[(0u + _e2809)];
+            if (_e2807.i1_ < _e75) {
+            } else {
+                return;
+            }
+            let _e2819 = vertices.member[(0u + _e2807.i1_)];
+            if (_e2807.i2_ < _e75) {
+            } else {
+                return;
+            }
+            let _e2823 = vertices.member[(0u + _e2807.i2_)];
+            let _e2824 = array<abi_Vertex, 3>(_e2815, _e2819, _e2823);
+            if (_e2824[0].material < arrayLength((&materials.member))) {
+            } else {
+                return;
+            }
+            let _e2830 = materials.member[(0u + _e2824[0].material)];
+            let _e2847 = (1f / 255f);
+            let _e2866 = (1f / 255f);
+            let _e2888 = (1f / 255f);
+            let _e2901 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2555, _e2549.u, _e2549.v));
+            let _e2903 = ((_e2830.base_color.x * ((((f32((_e2824[0].color & 255u)) * _e2847) * _e2555) + ((f32((_e2824[1].color & 255u)) * _e2866) * _e2549.u)) + ((f32((_e2824[2].color & 255u)) * _e2888) * _e2549.v))) * _e2901.x);
+            let _e2905 = ((_e2830.base_color.y * ((((f32(((_e2824[0].color >> bitcast<u32>(8i)) & 255u)) * _e2847) * _e2555) + ((f32(((_e2824[1].color >> bitcast<u32>(8i)) & 255u)) * _e2866) * _e2549.u)) + ((f32(((_e2824[2].color >> bitcast<u32>(8i)) & 255u)) * _e2888) * _e2549.v))) * _e2901.y);
+            let _e2907 = ((_e2830.base_color.z * ((((f32(((_e2824[0].color >> bitcast<u32>(16i)) & 255u)) * _e2847) * _e2555) + ((f32(((_e2824[1].color >> bitcast<u32>(16i)) & 255u)) * _e2866) * _e2549.u)) + ((f32(((_e2824[2].color >> bitcast<u32>(16i)) & 255u)) * _e2888) * _e2549.v))) * _e2901.z);
+            let _e2908 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2737, _e2740);
+            let _e2909 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2734, _e2908);
+            if ((_e2830.flags & 2u) == 0u) {
+                phi_3173_ = 0u;
+            } else {
+                phi_3173_ = 1u;
+            }
+            let _e2914 = phi_3173_;
+            if (_e2824[0].normal == 2147516416u) {
+                phi_3403_ = _e2802;
+            } else {
+                let _e2927 = (f32((bitcast<i32>((_e2824[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2933 = (f32((bitcast<i32>(_e2824[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2937 = ((1f - abs(_e2927)) - abs(_e2933));
+                if (_e2937 < 0f) {
+                    phi_3200_ = -(_e2937);
+                } else {
+                    phi_3200_ = 0f;
+                }
+                let _e2941 = phi_3200_;
+                if (_e2927 < 0f) {
+                    phi_3207_ = (_e2927 + _e2941);
+                } else {
+                    phi_3207_ = (_e2927 - _e2941);
+                }
+                let _e2946 = phi_3207_;
+                if (_e2933 < 0f) {
+                    phi_3214_ = (_e2933 + _e2941);
+                } else {
+                    phi_3214_ = (_e2933 - _e2941);
+                }
+                let _e2951 = phi_3214_;
+                let _e2958 = (1f / sqrt((((_e2946 * _e2946) + (_e2951 * _e2951)) + (_e2937 * _e2937))));
+                let _e2974 = (f32((bitcast<i32>((_e2824[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2980 = (f32((bitcast<i32>(_e2824[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2984 = ((1f - abs(_e2974)) - abs(_e2980));
+                if (_e2984 < 0f) {
+                    phi_3249_ = -(_e2984);
+                } else {
+                    phi_3249_ = 0f;
+                }
+                let _e2988 = phi_3249_;
+                if (_e2974 < 0f) {
+                    phi_3256_ = (_e2974 + _e2988);
+                } else {
+                    phi_3256_ = (_e2974 - _e2988);
+                }
+                let _e2993 = phi_3256_;
+                if (_e2980 < 0f) {
+                    phi_3263_ = (_e2980 + _e2988);
+                } else {
+                    phi_3263_ = (_e2980 - _e2988);
+                }
+                let _e2998 = phi_3263_;
+                let _e3005 = (1f / sqrt((((_e2993 * _e2993) + (_e2998 * _e2998)) + (_e2984 * _e2984))));
+                let _e3024 = (f32((bitcast<i32>((_e2824[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3030 = (f32((bitcast<i32>(_e2824[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3034 = ((1f - abs(_e3024)) - abs(_e3030));
+                if (_e3034 < 0f) {
+                    phi_3301_ = -(_e3034);
+                } else {
+                    phi_3301_ = 0f;
+                }
+                let _e3038 = phi_3301_;
+                if (_e3024 < 0f) {
+                    phi_3308_ = (_e3024 + _e3038);
+                } else {
+                    phi_3308_ = (_e3024 - _e3038);
+                }
+                let _e3043 = phi_3308_;
+                if (_e3030 < 0f) {
+                    phi_3315_ = (_e3030 + _e3038);
+                } else {
+                    phi_3315_ = (_e3030 - _e3038);
+                }
+                let _e3048 = phi_3315_;
+                let _e3055 = (1f / sqrt((((_e3043 * _e3043) + (_e3048 * _e3048)) + (_e3034 * _e3034))));
+                let _e3062 = ((((_e2946 * _e2958) * _e2555) + ((_e2993 * _e3005) * _e2549.u)) + ((_e3043 * _e3055) * _e2549.v));
+                let _e3063 = ((((_e2951 * _e2958) * _e2555) + ((_e2998 * _e3005) * _e2549.u)) + ((_e3048 * _e3055) * _e2549.v));
+                let _e3064 = ((((_e2937 * _e2958) * _e2555) + ((_e2984 * _e3005) * _e2549.u)) + ((_e3034 * _e3055) * _e2549.v));
+                if (_e2549.instance < _e84) {
+                } else {
+                    return;
+                }
+                let _e3071 = instances.member[(0u + _e2549.instance)].world_to_object[0u];
+                let _e3080 = instances.member[(0u + _e2549.instance)].world_to_object[1u];
+                let _e3092 = instances.member[(0u + _e2549.instance)].world_to_object[2u];
+                let _e3099 = (((_e3071.x * _e3062) + (_e3080.x * _e3063)) + (_e3092.x * _e3064));
+                let _e3100 = (((_e3071.y * _e3062) + (_e3080.y * _e3063)) + (_e3092.y * _e3064));
+                let _e3101 = (((_e3071.z * _e3062) + (_e3080.z * _e3063)) + (_e3092.z * _e3064));
+                let _e3107 = sqrt((((_e3099 * _e3099) + (_e3100 * _e3100)) + (_e3101 * _e3101)));
+                if (_e3107 > 0f) {
+                    let _e3109 = (_e3099 / _e3107);
+                    let _e3110 = (_e3100 / _e3107);
+                    let _e3111 = (_e3101 / _e3107);
+                    if ((((_e3109 * _e2802.x) + (_e3110 * _e2802.y)) + (_e3111 * _e2802.z)) < 0f) {
+                        phi_3401_ = vec3<f32>(-(_e3109), -(_e3110), -(_e3111));
+                    } else {
+                        phi_3401_ = vec3<f32>(_e3109, _e3110, _e3111);
+                    }
+                    let _e3127 = phi_3401_;
+                    phi_3402_ = _e3127;
+                } else {
+                    phi_3402_ = _e2802;
+                }
+                let _e3129 = phi_3402_;
+                phi_3403_ = _e3129;
+            }
+            let _e3131 = phi_3403_;
+            if (_e2903 > 0f) {
+                if (_e2903 < 1f) {
+                    phi_3412_ = _e2903;
+                } else {
+                    phi_3412_ = 1f;
+                }
+                let _e3135 = phi_3412_;
+                phi_3413_ = _e3135;
+            } else {
+                phi_3413_ = 0f;
+            }
+            let _e3137 = phi_3413_;
+            if (_e2905 > 0f) {
+                if (_e2905 < 1f) {
+                    phi_3423_ = _e2905;
+                } else {
+                    phi_3423_ = 1f;
+                }
+                let _e3142 = phi_3423_;
+                phi_3424_ = _e3142;
+            } else {
+                phi_3424_ = 0f;
+            }
+            let _e3144 = phi_3424_;
+            if (_e2907 > 0f) {
+                if (_e2907 < 1f) {
+                    phi_3434_ = _e2907;
+                } else {
+                    phi_3434_ = 1f;
+                }
+                let _e3149 = phi_3434_;
+                phi_3435_ = _e3149;
+            } else {
+                phi_3435_ = 0f;
+            }
+            let _e3151 = phi_3435_;
+            let _e3154 = ((sqrt(_e3137) * 255f) + 0.5f);
+            let _e3163 = ((sqrt(_e3144) * 255f) + 0.5f);
+            let _e3175 = ((sqrt(_e3151) * 255f) + 0.5f);
+            phi_3470_ = abi_Sample(vec3<f32>(_e2710, _e2711, _e2712), _e2909, _e2802, _e2914, _e3131, ((select(select(u32(_e3154), 0u, (_e3154 < bitcast<f32>(0u))), 4294967295u, (_e3154 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3163), 0u, (_e3163 < bitcast<f32>(0u))), 4294967295u, (_e3163 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3175), 0u, (_e3175 < bitcast<f32>(0u))), 4294967295u, (_e3175 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+        } else {
+            phi_3470_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+        }
+        let _e3189 = phi_3470_;
+        if (_e96.first_primitive < arrayLength((&samples.member))) {
+        } else {
+            return;
+        }
+        samples.member[(0u + _e96.first_primitive)] = _e3189;
+        if (_e2549.triangle != 4294967295u) {
+            let _e3198 = ((1f - _e2549.u) - _e2549.v);
+            if (_e2549.triangle < _e72) {
+            } else {
+                return;
+            }
+            let _e3203 = triangles.member[(0u + _e2549.triangle)];
+            if (_e3203.i0_ < _e87) {
+            } else {
+                return;
+            }
+            let _e3208 = before.member[(0u + _e3203.i0_)];
+            if (_e3203.i1_ < _e87) {
+            } else {
+                return;
+            }
+            let _e3213 = before.member[(0u + _e3203.i1_)];
+            if (_e3203.i2_ < _e87) {
+            } else {
+                return;
+            }
+            let _e3218 = before.member[(0u + _e3203.i2_)];
+            if (_e2549.instance < _e84) {
+            } else {
+                return;
+            }
+            let _e3228 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
+            let _e3241 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
+            let _e3254 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
+            if (_e2549.instance < _e84) {
+            } else {
+                return;
+            }
+            let _e3278 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
+            let _e3291 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
+            let _e3304 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
+            if (_e2549.instance < _e84) {
+            } else {
+                return;
+            }
+            let _e3331 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
+            let _e3344 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
+            let _e3357 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
+            phi_3692_ = vec3<f32>((((((((_e3228.x * _e3208.x) + (_e3228.y * _e3208.y)) + (_e3228.z * _e3208.z)) + (_e3228.w * 1f)) * _e3198) + (((((_e3278.x * _e3213.x) + (_e3278.y * _e3213.y)) + (_e3278.z * _e3213.z)) + (_e3278.w * 1f)) * _e2549.u)) + (((((_e3331.x * _e3218.x) + (_e3331.y * _e3218.y)) + (_e3331.z * _e3218.z)) + (_e3331.w * 1f)) * _e2549.v)), (((((((_e3241.x * _e3208.x) + (_e3241.y * _e3208.y)) + (_e3241.z * _e3208.z)) + (_e3241.w * 1f)) * _e3198) + (((((_e3291.x * _e3213.x) + (_e3291.y * _e3213.y)) + (_e3291.z * _e3213.z)) + (_e3291.w * 1f)) * _e2549.u)) + (((((_e3344.x * _e3218.x) + (_e3344.y * _e3218.y)) + (_e3344.z * _e3218.z)) + (_e3344.w * 1f)) * _e2549.v)), (((((((_e3254.x * _e3208.x) + (_e3254.y * _e3208.y)) + (_e3254.z * _e3208.z)) + (_e3254.w * 1f)) * _e3198) + (((((_e3304.x * _e3213.x) + (_e3304.y * _e3213.y)) + (_e3304.z * _e3213.z)) + (_e3304.w * 1f)) * _e2549.u)) + (((((_e3357.x * _e3218.x) + (_e3357.y * _e3218.y)) + (_e3357.z * _e3218.z)) + (_e3357.w * 1f)) * _e2549.v)));
+        } else {
+            phi_3692_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e3377 = phi_3692_;
+        if (_e96.first_primitive < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e96.first_primitive)] = vec4<f32>(_e3377.x, _e3377.y, _e3377.z, 1f);
+    }
+    return;
+}
+
+@compute @workgroup_size(8, 8, 1) 
+fn entry_camera_camera_instanced_motion_cs(@builtin(global_invocation_id) id: vec3<u32>) {
+    id_1 = id;
+    function_();
+}
