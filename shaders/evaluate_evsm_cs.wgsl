@@ -72,36 +72,36 @@ var<storage> map: type_21;
 var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_145_: lt_bvh_traverse_Tree;
-    var phi_146_: bool;
-    var phi_147_: lt_bvh_traverse_Tree;
-    var phi_148_: bool;
-    var phi_153_: lt_bvh_traverse_Tree;
+    var phi_142_: lt_bvh_traverse_Tree;
+    var phi_143_: bool;
+    var phi_144_: lt_bvh_traverse_Tree;
+    var phi_145_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_145_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_146_ = false;
+            phi_142_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_143_ = false;
         } else {
-            phi_145_ = lt_bvh_traverse_Tree();
-            phi_146_ = true;
+            phi_142_ = lt_bvh_traverse_Tree();
+            phi_143_ = true;
         }
-        let _e60 = phi_145_;
-        let _e62 = phi_146_;
-        phi_147_ = _e60;
-        phi_148_ = _e62;
+        let _e60 = phi_142_;
+        let _e62 = phi_143_;
+        phi_144_ = _e60;
+        phi_145_ = _e62;
     } else {
-        phi_147_ = lt_bvh_traverse_Tree();
-        phi_148_ = true;
+        phi_144_ = lt_bvh_traverse_Tree();
+        phi_145_ = true;
     }
-    let _e64 = phi_147_;
-    let _e66 = phi_148_;
+    let _e64 = phi_144_;
+    let _e66 = phi_145_;
     if _e66 {
-        phi_153_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_150_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_153_ = _e64;
+        phi_150_ = _e64;
     }
-    let _e71 = phi_153_;
+    let _e71 = phi_150_;
     return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
 }
 
@@ -109,801 +109,789 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
     return lt_math_Evsm(param_3.x, param_3.y, param_3.z);
 }
 
-fn _lt_math_evsm_Evsm_positive(param_4: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_177_: bool;
-    var phi_181_: f32;
+fn _lt_math_evsm_Evsm_bound_of_offsets(param_4: ptr<function, lt_math_Evsm>, param_5: vec4<f32>, param_6: vec4<f32>) -> f32 {
+    var phi_860_: bool;
+    var phi_864_: f32;
+    var phi_883_: f32;
+    var phi_888_: f32;
+    var phi_910_: f32;
+    var phi_915_: f32;
+    var phi_916_: bool;
+    var phi_917_: f32;
+    var phi_918_: bool;
+    var phi_922_: f32;
+    var phi_960_: f32;
+    var phi_971_: f32;
+    var phi_976_: f32;
+    var phi_998_: f32;
+    var phi_1003_: f32;
+    var phi_1004_: bool;
+    var phi_1005_: f32;
+    var phi_1006_: bool;
+    var phi_1010_: f32;
+    var phi_1048_: f32;
+    var phi_1059_: f32;
+    var phi_1064_: f32;
+    var phi_1086_: f32;
+    var phi_1091_: f32;
+    var phi_1092_: bool;
+    var phi_1093_: f32;
+    var phi_1094_: bool;
+    var phi_1098_: f32;
+    var phi_1136_: f32;
+    var phi_1147_: f32;
+    var phi_1152_: f32;
+    var phi_1174_: f32;
+    var phi_1179_: f32;
+    var phi_1180_: bool;
+    var phi_1181_: f32;
+    var phi_1182_: bool;
+    var phi_1186_: f32;
+    var phi_1224_: f32;
+    var phi_1277_: bool;
+    var phi_1281_: f32;
+    var phi_1293_: bool;
+    var phi_1300_: f32;
+    var phi_1313_: bool;
+    var phi_1317_: f32;
+    var phi_1337_: f32;
+    var phi_1342_: f32;
+    var phi_1364_: f32;
+    var phi_1369_: f32;
+    var phi_1370_: bool;
+    var phi_1371_: f32;
+    var phi_1372_: bool;
+    var phi_1376_: f32;
+    var phi_1414_: f32;
+    var phi_1425_: f32;
+    var phi_1430_: f32;
+    var phi_1452_: f32;
+    var phi_1457_: f32;
+    var phi_1458_: bool;
+    var phi_1459_: f32;
+    var phi_1460_: bool;
+    var phi_1464_: f32;
+    var phi_1502_: f32;
+    var phi_1513_: f32;
+    var phi_1518_: f32;
+    var phi_1540_: f32;
+    var phi_1545_: f32;
+    var phi_1546_: bool;
+    var phi_1547_: f32;
+    var phi_1548_: bool;
+    var phi_1552_: f32;
+    var phi_1590_: f32;
+    var phi_1601_: f32;
+    var phi_1606_: f32;
+    var phi_1628_: f32;
+    var phi_1633_: f32;
+    var phi_1634_: bool;
+    var phi_1635_: f32;
+    var phi_1636_: bool;
+    var phi_1640_: f32;
+    var phi_1678_: f32;
+    var phi_1731_: bool;
+    var phi_1735_: f32;
+    var phi_1747_: bool;
+    var phi_1754_: f32;
+    var phi_1765_: bool;
+    var phi_1769_: f32;
+    var phi_1784_: f32;
+    var phi_1785_: f32;
+    var phi_1786_: f32;
 
-    let _e49 = (*param_4).positive_exponent;
+    let _e51 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_177_ = true;
+        phi_860_ = true;
     } else {
-        let _e53 = (42f < _e49);
-        if _e53 {
+        let _e55 = (42f < _e51);
+        if _e55 {
         }
-        phi_177_ = _e53;
+        phi_860_ = _e55;
     }
-    let _e55 = phi_177_;
-    if _e55 {
-        phi_181_ = 42f;
+    let _e57 = phi_860_;
+    if _e57 {
+        phi_864_ = 42f;
     } else {
-        phi_181_ = _e49;
+        phi_864_ = _e51;
     }
-    let _e57 = phi_181_;
-    return _e57;
-}
-
-fn _lt_math_evsm_Evsm_negative(param_5: ptr<function, lt_math_Evsm>) -> f32 {
-    var phi_196_: bool;
-    var phi_200_: f32;
-
-    let _e49 = (*param_5).negative_exponent;
-    if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_196_ = true;
+    let _e59 = phi_864_;
+    let _e61 = (_e59 * param_5.x);
+    let _e63 = (_e59 * param_5.y);
+    let _e65 = (_e59 * param_5.z);
+    let _e67 = (_e59 * param_5.w);
+    if ((bitcast<u32>(_e61) & 2147483647u) > 2139095040u) {
+        phi_960_ = _e61;
     } else {
-        let _e53 = (42f < _e49);
-        if _e53 {
-        }
-        phi_196_ = _e53;
-    }
-    let _e55 = phi_196_;
-    if _e55 {
-        phi_200_ = 42f;
-    } else {
-        phi_200_ = _e49;
-    }
-    let _e57 = phi_200_;
-    return _e57;
-}
-
-fn _lt_math_evsm_Evsm_bound_of_offsets(param_6: ptr<function, lt_math_Evsm>, param_7: vec4<f32>, param_8: vec4<f32>) -> f32 {
-    var phi_908_: f32;
-    var phi_913_: f32;
-    var phi_935_: f32;
-    var phi_940_: f32;
-    var phi_941_: bool;
-    var phi_942_: f32;
-    var phi_943_: bool;
-    var phi_947_: f32;
-    var phi_985_: f32;
-    var phi_996_: f32;
-    var phi_1001_: f32;
-    var phi_1023_: f32;
-    var phi_1028_: f32;
-    var phi_1029_: bool;
-    var phi_1030_: f32;
-    var phi_1031_: bool;
-    var phi_1035_: f32;
-    var phi_1073_: f32;
-    var phi_1084_: f32;
-    var phi_1089_: f32;
-    var phi_1111_: f32;
-    var phi_1116_: f32;
-    var phi_1117_: bool;
-    var phi_1118_: f32;
-    var phi_1119_: bool;
-    var phi_1123_: f32;
-    var phi_1161_: f32;
-    var phi_1172_: f32;
-    var phi_1177_: f32;
-    var phi_1199_: f32;
-    var phi_1204_: f32;
-    var phi_1205_: bool;
-    var phi_1206_: f32;
-    var phi_1207_: bool;
-    var phi_1211_: f32;
-    var phi_1249_: f32;
-    var phi_1302_: bool;
-    var phi_1306_: f32;
-    var phi_1318_: bool;
-    var phi_1325_: f32;
-    var phi_1346_: f32;
-    var phi_1351_: f32;
-    var phi_1373_: f32;
-    var phi_1378_: f32;
-    var phi_1379_: bool;
-    var phi_1380_: f32;
-    var phi_1381_: bool;
-    var phi_1385_: f32;
-    var phi_1423_: f32;
-    var phi_1434_: f32;
-    var phi_1439_: f32;
-    var phi_1461_: f32;
-    var phi_1466_: f32;
-    var phi_1467_: bool;
-    var phi_1468_: f32;
-    var phi_1469_: bool;
-    var phi_1473_: f32;
-    var phi_1511_: f32;
-    var phi_1522_: f32;
-    var phi_1527_: f32;
-    var phi_1549_: f32;
-    var phi_1554_: f32;
-    var phi_1555_: bool;
-    var phi_1556_: f32;
-    var phi_1557_: bool;
-    var phi_1561_: f32;
-    var phi_1599_: f32;
-    var phi_1610_: f32;
-    var phi_1615_: f32;
-    var phi_1637_: f32;
-    var phi_1642_: f32;
-    var phi_1643_: bool;
-    var phi_1644_: f32;
-    var phi_1645_: bool;
-    var phi_1649_: f32;
-    var phi_1687_: f32;
-    var phi_1740_: bool;
-    var phi_1744_: f32;
-    var phi_1756_: bool;
-    var phi_1763_: f32;
-    var phi_1774_: bool;
-    var phi_1778_: f32;
-    var phi_1793_: f32;
-    var phi_1794_: f32;
-    var phi_1795_: f32;
-
-    let _e50 = _lt_math_evsm_Evsm_positive(param_6);
-    let _e52 = (_e50 * param_7.x);
-    let _e54 = (_e50 * param_7.y);
-    let _e56 = (_e50 * param_7.z);
-    let _e58 = (_e50 * param_7.w);
-    if ((bitcast<u32>(_e52) & 2147483647u) > 2139095040u) {
-        phi_985_ = _e52;
-    } else {
-        if (_e52 < -87f) {
-            phi_908_ = -87f;
+        if (_e61 < -87f) {
+            phi_883_ = -87f;
         } else {
-            phi_908_ = _e52;
+            phi_883_ = _e61;
         }
-        let _e64 = phi_908_;
-        if (_e64 > 88f) {
-            phi_913_ = 88f;
+        let _e73 = phi_883_;
+        if (_e73 > 88f) {
+            phi_888_ = 88f;
         } else {
-            phi_913_ = _e64;
+            phi_888_ = _e73;
         }
-        let _e67 = phi_913_;
-        let _e69 = ((_e67 * 1.442695f) + 0.5f);
-        if (_e69 > -8388608f) {
-            let _e81 = f32(select(0i, select(select(i32(_e69), i32(-2147483648), (_e69 < bitcast<f32>(3472883712u))), 2147483647i, (_e69 > bitcast<f32>(1325400063u))), (_e69 == _e69)));
-            if (_e81 > _e69) {
-                phi_935_ = 1f;
+        let _e76 = phi_888_;
+        let _e78 = ((_e76 * 1.442695f) + 0.5f);
+        if (_e78 > -8388608f) {
+            let _e90 = f32(select(0i, select(select(i32(_e78), i32(-2147483648), (_e78 < bitcast<f32>(3472883712u))), 2147483647i, (_e78 > bitcast<f32>(1325400063u))), (_e78 == _e78)));
+            if (_e90 > _e78) {
+                phi_910_ = 1f;
             } else {
-                phi_935_ = 0f;
+                phi_910_ = 0f;
             }
-            let _e84 = phi_935_;
-            if (_e69 < 8388608f) {
-                phi_940_ = (_e81 - _e84);
-                phi_941_ = false;
+            let _e93 = phi_910_;
+            if (_e78 < 8388608f) {
+                phi_915_ = (_e90 - _e93);
+                phi_916_ = false;
             } else {
-                phi_940_ = f32();
-                phi_941_ = true;
+                phi_915_ = f32();
+                phi_916_ = true;
             }
-            let _e87 = phi_940_;
-            let _e89 = phi_941_;
-            phi_942_ = _e87;
-            phi_943_ = _e89;
+            let _e96 = phi_915_;
+            let _e98 = phi_916_;
+            phi_917_ = _e96;
+            phi_918_ = _e98;
         } else {
-            phi_942_ = f32();
-            phi_943_ = true;
+            phi_917_ = f32();
+            phi_918_ = true;
         }
-        let _e91 = phi_942_;
-        let _e93 = phi_943_;
-        if _e93 {
-            phi_947_ = _e69;
+        let _e100 = phi_917_;
+        let _e102 = phi_918_;
+        if _e102 {
+            phi_922_ = _e78;
         } else {
-            phi_947_ = _e91;
+            phi_922_ = _e100;
         }
-        let _e95 = phi_947_;
-        let _e99 = ((_e67 - (_e95 * 0.69314575f)) - (_e95 * 0.0000014286068f));
-        phi_985_ = ((((((((((((((((1f / 5040f) * _e99) + (1f / 720f)) * _e99) + (1f / 120f)) * _e99) + (1f / 24f)) * _e99) + (1f / 6f)) * _e99) + 0.5f) * _e99) + 1f) * _e99) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e95), i32(-2147483648), (_e95 < bitcast<f32>(3472883712u))), 2147483647i, (_e95 > bitcast<f32>(1325400063u))), (_e95 == _e95)) + 127i)) << bitcast<u32>(23i))));
+        let _e104 = phi_922_;
+        let _e108 = ((_e76 - (_e104 * 0.69314575f)) - (_e104 * 0.0000014286068f));
+        phi_960_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e135 = phi_985_;
-    if ((bitcast<u32>(_e54) & 2147483647u) > 2139095040u) {
-        phi_1073_ = _e54;
+    let _e144 = phi_960_;
+    if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
+        phi_1048_ = _e63;
     } else {
-        if (_e54 < -87f) {
-            phi_996_ = -87f;
+        if (_e63 < -87f) {
+            phi_971_ = -87f;
         } else {
-            phi_996_ = _e54;
+            phi_971_ = _e63;
         }
-        let _e141 = phi_996_;
-        if (_e141 > 88f) {
-            phi_1001_ = 88f;
+        let _e150 = phi_971_;
+        if (_e150 > 88f) {
+            phi_976_ = 88f;
         } else {
-            phi_1001_ = _e141;
+            phi_976_ = _e150;
         }
-        let _e144 = phi_1001_;
-        let _e146 = ((_e144 * 1.442695f) + 0.5f);
-        if (_e146 > -8388608f) {
-            let _e158 = f32(select(0i, select(select(i32(_e146), i32(-2147483648), (_e146 < bitcast<f32>(3472883712u))), 2147483647i, (_e146 > bitcast<f32>(1325400063u))), (_e146 == _e146)));
-            if (_e158 > _e146) {
-                phi_1023_ = 1f;
+        let _e153 = phi_976_;
+        let _e155 = ((_e153 * 1.442695f) + 0.5f);
+        if (_e155 > -8388608f) {
+            let _e167 = f32(select(0i, select(select(i32(_e155), i32(-2147483648), (_e155 < bitcast<f32>(3472883712u))), 2147483647i, (_e155 > bitcast<f32>(1325400063u))), (_e155 == _e155)));
+            if (_e167 > _e155) {
+                phi_998_ = 1f;
             } else {
-                phi_1023_ = 0f;
+                phi_998_ = 0f;
             }
-            let _e161 = phi_1023_;
-            if (_e146 < 8388608f) {
-                phi_1028_ = (_e158 - _e161);
-                phi_1029_ = false;
+            let _e170 = phi_998_;
+            if (_e155 < 8388608f) {
+                phi_1003_ = (_e167 - _e170);
+                phi_1004_ = false;
             } else {
-                phi_1028_ = f32();
-                phi_1029_ = true;
+                phi_1003_ = f32();
+                phi_1004_ = true;
             }
-            let _e164 = phi_1028_;
-            let _e166 = phi_1029_;
-            phi_1030_ = _e164;
-            phi_1031_ = _e166;
+            let _e173 = phi_1003_;
+            let _e175 = phi_1004_;
+            phi_1005_ = _e173;
+            phi_1006_ = _e175;
         } else {
-            phi_1030_ = f32();
-            phi_1031_ = true;
+            phi_1005_ = f32();
+            phi_1006_ = true;
         }
-        let _e168 = phi_1030_;
-        let _e170 = phi_1031_;
-        if _e170 {
-            phi_1035_ = _e146;
+        let _e177 = phi_1005_;
+        let _e179 = phi_1006_;
+        if _e179 {
+            phi_1010_ = _e155;
         } else {
-            phi_1035_ = _e168;
+            phi_1010_ = _e177;
         }
-        let _e172 = phi_1035_;
-        let _e176 = ((_e144 - (_e172 * 0.69314575f)) - (_e172 * 0.0000014286068f));
-        phi_1073_ = ((((((((((((((((1f / 5040f) * _e176) + (1f / 720f)) * _e176) + (1f / 120f)) * _e176) + (1f / 24f)) * _e176) + (1f / 6f)) * _e176) + 0.5f) * _e176) + 1f) * _e176) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e172), i32(-2147483648), (_e172 < bitcast<f32>(3472883712u))), 2147483647i, (_e172 > bitcast<f32>(1325400063u))), (_e172 == _e172)) + 127i)) << bitcast<u32>(23i))));
+        let _e181 = phi_1010_;
+        let _e185 = ((_e153 - (_e181 * 0.69314575f)) - (_e181 * 0.0000014286068f));
+        phi_1048_ = ((((((((((((((((1f / 5040f) * _e185) + (1f / 720f)) * _e185) + (1f / 120f)) * _e185) + (1f / 24f)) * _e185) + (1f / 6f)) * _e185) + 0.5f) * _e185) + 1f) * _e185) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e181), i32(-2147483648), (_e181 < bitcast<f32>(3472883712u))), 2147483647i, (_e181 > bitcast<f32>(1325400063u))), (_e181 == _e181)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e212 = phi_1073_;
-    if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
-        phi_1161_ = _e56;
+    let _e221 = phi_1048_;
+    if ((bitcast<u32>(_e65) & 2147483647u) > 2139095040u) {
+        phi_1136_ = _e65;
     } else {
-        if (_e56 < -87f) {
-            phi_1084_ = -87f;
+        if (_e65 < -87f) {
+            phi_1059_ = -87f;
         } else {
-            phi_1084_ = _e56;
+            phi_1059_ = _e65;
         }
-        let _e218 = phi_1084_;
-        if (_e218 > 88f) {
-            phi_1089_ = 88f;
+        let _e227 = phi_1059_;
+        if (_e227 > 88f) {
+            phi_1064_ = 88f;
         } else {
-            phi_1089_ = _e218;
+            phi_1064_ = _e227;
         }
-        let _e221 = phi_1089_;
-        let _e223 = ((_e221 * 1.442695f) + 0.5f);
-        if (_e223 > -8388608f) {
-            let _e235 = f32(select(0i, select(select(i32(_e223), i32(-2147483648), (_e223 < bitcast<f32>(3472883712u))), 2147483647i, (_e223 > bitcast<f32>(1325400063u))), (_e223 == _e223)));
-            if (_e235 > _e223) {
-                phi_1111_ = 1f;
+        let _e230 = phi_1064_;
+        let _e232 = ((_e230 * 1.442695f) + 0.5f);
+        if (_e232 > -8388608f) {
+            let _e244 = f32(select(0i, select(select(i32(_e232), i32(-2147483648), (_e232 < bitcast<f32>(3472883712u))), 2147483647i, (_e232 > bitcast<f32>(1325400063u))), (_e232 == _e232)));
+            if (_e244 > _e232) {
+                phi_1086_ = 1f;
             } else {
-                phi_1111_ = 0f;
+                phi_1086_ = 0f;
             }
-            let _e238 = phi_1111_;
-            if (_e223 < 8388608f) {
-                phi_1116_ = (_e235 - _e238);
-                phi_1117_ = false;
+            let _e247 = phi_1086_;
+            if (_e232 < 8388608f) {
+                phi_1091_ = (_e244 - _e247);
+                phi_1092_ = false;
             } else {
-                phi_1116_ = f32();
-                phi_1117_ = true;
+                phi_1091_ = f32();
+                phi_1092_ = true;
             }
-            let _e241 = phi_1116_;
-            let _e243 = phi_1117_;
-            phi_1118_ = _e241;
-            phi_1119_ = _e243;
+            let _e250 = phi_1091_;
+            let _e252 = phi_1092_;
+            phi_1093_ = _e250;
+            phi_1094_ = _e252;
         } else {
-            phi_1118_ = f32();
-            phi_1119_ = true;
+            phi_1093_ = f32();
+            phi_1094_ = true;
         }
-        let _e245 = phi_1118_;
-        let _e247 = phi_1119_;
-        if _e247 {
-            phi_1123_ = _e223;
+        let _e254 = phi_1093_;
+        let _e256 = phi_1094_;
+        if _e256 {
+            phi_1098_ = _e232;
         } else {
-            phi_1123_ = _e245;
+            phi_1098_ = _e254;
         }
-        let _e249 = phi_1123_;
-        let _e253 = ((_e221 - (_e249 * 0.69314575f)) - (_e249 * 0.0000014286068f));
-        phi_1161_ = ((((((((((((((((1f / 5040f) * _e253) + (1f / 720f)) * _e253) + (1f / 120f)) * _e253) + (1f / 24f)) * _e253) + (1f / 6f)) * _e253) + 0.5f) * _e253) + 1f) * _e253) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e249), i32(-2147483648), (_e249 < bitcast<f32>(3472883712u))), 2147483647i, (_e249 > bitcast<f32>(1325400063u))), (_e249 == _e249)) + 127i)) << bitcast<u32>(23i))));
+        let _e258 = phi_1098_;
+        let _e262 = ((_e230 - (_e258 * 0.69314575f)) - (_e258 * 0.0000014286068f));
+        phi_1136_ = ((((((((((((((((1f / 5040f) * _e262) + (1f / 720f)) * _e262) + (1f / 120f)) * _e262) + (1f / 24f)) * _e262) + (1f / 6f)) * _e262) + 0.5f) * _e262) + 1f) * _e262) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e258), i32(-2147483648), (_e258 < bitcast<f32>(3472883712u))), 2147483647i, (_e258 > bitcast<f32>(1325400063u))), (_e258 == _e258)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e289 = phi_1161_;
-    if ((bitcast<u32>(_e58) & 2147483647u) > 2139095040u) {
-        phi_1249_ = _e58;
+    let _e298 = phi_1136_;
+    if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
+        phi_1224_ = _e67;
     } else {
-        if (_e58 < -87f) {
-            phi_1172_ = -87f;
+        if (_e67 < -87f) {
+            phi_1147_ = -87f;
         } else {
-            phi_1172_ = _e58;
+            phi_1147_ = _e67;
         }
-        let _e295 = phi_1172_;
-        if (_e295 > 88f) {
-            phi_1177_ = 88f;
+        let _e304 = phi_1147_;
+        if (_e304 > 88f) {
+            phi_1152_ = 88f;
         } else {
-            phi_1177_ = _e295;
+            phi_1152_ = _e304;
         }
-        let _e298 = phi_1177_;
-        let _e300 = ((_e298 * 1.442695f) + 0.5f);
-        if (_e300 > -8388608f) {
-            let _e312 = f32(select(0i, select(select(i32(_e300), i32(-2147483648), (_e300 < bitcast<f32>(3472883712u))), 2147483647i, (_e300 > bitcast<f32>(1325400063u))), (_e300 == _e300)));
-            if (_e312 > _e300) {
-                phi_1199_ = 1f;
+        let _e307 = phi_1152_;
+        let _e309 = ((_e307 * 1.442695f) + 0.5f);
+        if (_e309 > -8388608f) {
+            let _e321 = f32(select(0i, select(select(i32(_e309), i32(-2147483648), (_e309 < bitcast<f32>(3472883712u))), 2147483647i, (_e309 > bitcast<f32>(1325400063u))), (_e309 == _e309)));
+            if (_e321 > _e309) {
+                phi_1174_ = 1f;
             } else {
-                phi_1199_ = 0f;
+                phi_1174_ = 0f;
             }
-            let _e315 = phi_1199_;
-            if (_e300 < 8388608f) {
-                phi_1204_ = (_e312 - _e315);
-                phi_1205_ = false;
+            let _e324 = phi_1174_;
+            if (_e309 < 8388608f) {
+                phi_1179_ = (_e321 - _e324);
+                phi_1180_ = false;
             } else {
-                phi_1204_ = f32();
-                phi_1205_ = true;
+                phi_1179_ = f32();
+                phi_1180_ = true;
             }
-            let _e318 = phi_1204_;
-            let _e320 = phi_1205_;
-            phi_1206_ = _e318;
-            phi_1207_ = _e320;
+            let _e327 = phi_1179_;
+            let _e329 = phi_1180_;
+            phi_1181_ = _e327;
+            phi_1182_ = _e329;
         } else {
-            phi_1206_ = f32();
-            phi_1207_ = true;
+            phi_1181_ = f32();
+            phi_1182_ = true;
         }
-        let _e322 = phi_1206_;
-        let _e324 = phi_1207_;
-        if _e324 {
-            phi_1211_ = _e300;
+        let _e331 = phi_1181_;
+        let _e333 = phi_1182_;
+        if _e333 {
+            phi_1186_ = _e309;
         } else {
-            phi_1211_ = _e322;
+            phi_1186_ = _e331;
         }
-        let _e326 = phi_1211_;
-        let _e330 = ((_e298 - (_e326 * 0.69314575f)) - (_e326 * 0.0000014286068f));
-        phi_1249_ = ((((((((((((((((1f / 5040f) * _e330) + (1f / 720f)) * _e330) + (1f / 120f)) * _e330) + (1f / 24f)) * _e330) + (1f / 6f)) * _e330) + 0.5f) * _e330) + 1f) * _e330) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e326), i32(-2147483648), (_e326 < bitcast<f32>(3472883712u))), 2147483647i, (_e326 > bitcast<f32>(1325400063u))), (_e326 == _e326)) + 127i)) << bitcast<u32>(23i))));
+        let _e335 = phi_1186_;
+        let _e339 = ((_e307 - (_e335 * 0.69314575f)) - (_e335 * 0.0000014286068f));
+        phi_1224_ = ((((((((((((((((1f / 5040f) * _e339) + (1f / 720f)) * _e339) + (1f / 120f)) * _e339) + (1f / 24f)) * _e339) + (1f / 6f)) * _e339) + 0.5f) * _e339) + 1f) * _e339) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e335), i32(-2147483648), (_e335 < bitcast<f32>(3472883712u))), 2147483647i, (_e335 > bitcast<f32>(1325400063u))), (_e335 == _e335)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e366 = phi_1249_;
-    let _e368 = (_e135 - vec4<f32>(1f, 1f, 1f, 1f).x);
-    let _e370 = (_e212 - vec4<f32>(1f, 1f, 1f, 1f).y);
-    let _e372 = (_e289 - vec4<f32>(1f, 1f, 1f, 1f).z);
-    let _e374 = (_e366 - vec4<f32>(1f, 1f, 1f, 1f).w);
-    let _e376 = (*param_6).min_variance;
-    let _e378 = ((_e376 * _e50) * _e50);
-    let _e389 = ((((_e368 * param_8.x) + (_e370 * param_8.y)) + (_e372 * param_8.z)) + (_e374 * param_8.w));
-    let _e390 = (_e368 - _e389);
-    let _e391 = (_e370 - _e389);
-    let _e392 = (_e372 - _e389);
-    let _e393 = (_e374 - _e389);
-    let _e408 = (((((_e390 * _e390) * param_8.x) + ((_e391 * _e391) * param_8.y)) + ((_e392 * _e392) * param_8.z)) + ((_e393 * _e393) * param_8.w));
-    if ((bitcast<u32>(_e378) & 2147483647u) > 2139095040u) {
-        phi_1302_ = true;
+    let _e375 = phi_1224_;
+    let _e377 = (_e144 - vec4<f32>(1f, 1f, 1f, 1f).x);
+    let _e379 = (_e221 - vec4<f32>(1f, 1f, 1f, 1f).y);
+    let _e381 = (_e298 - vec4<f32>(1f, 1f, 1f, 1f).z);
+    let _e383 = (_e375 - vec4<f32>(1f, 1f, 1f, 1f).w);
+    let _e385 = (*param_4).min_variance;
+    let _e387 = ((_e385 * _e59) * _e59);
+    let _e398 = ((((_e377 * param_6.x) + (_e379 * param_6.y)) + (_e381 * param_6.z)) + (_e383 * param_6.w));
+    let _e399 = (_e377 - _e398);
+    let _e400 = (_e379 - _e398);
+    let _e401 = (_e381 - _e398);
+    let _e402 = (_e383 - _e398);
+    let _e417 = (((((_e399 * _e399) * param_6.x) + ((_e400 * _e400) * param_6.y)) + ((_e401 * _e401) * param_6.z)) + ((_e402 * _e402) * param_6.w));
+    if ((bitcast<u32>(_e387) & 2147483647u) > 2139095040u) {
+        phi_1277_ = true;
     } else {
-        let _e412 = (_e378 > _e408);
-        if _e412 {
-        }
-        phi_1302_ = _e412;
-    }
-    let _e414 = phi_1302_;
-    if _e414 {
-        phi_1306_ = _e378;
-    } else {
-        phi_1306_ = _e408;
-    }
-    let _e416 = phi_1306_;
-    let _e417 = -(_e389);
-    if (_e417 <= 0f) {
-        let _e421 = ((bitcast<u32>(_e416) & 2147483647u) > 2139095040u);
+        let _e421 = (_e387 > _e417);
         if _e421 {
         }
-        phi_1318_ = _e421;
-    } else {
-        phi_1318_ = true;
+        phi_1277_ = _e421;
     }
-    let _e423 = phi_1318_;
+    let _e423 = phi_1277_;
     if _e423 {
-        phi_1325_ = (_e416 / (_e416 + (_e417 * _e417)));
+        phi_1281_ = _e387;
     } else {
-        phi_1325_ = 1f;
+        phi_1281_ = _e417;
     }
-    let _e428 = phi_1325_;
-    let _e429 = _lt_math_evsm_Evsm_negative(param_6);
-    let _e430 = -(_e429);
-    let _e432 = (_e430 * param_7.x);
-    let _e434 = (_e430 * param_7.y);
-    let _e436 = (_e430 * param_7.z);
-    let _e438 = (_e430 * param_7.w);
-    if ((bitcast<u32>(_e432) & 2147483647u) > 2139095040u) {
-        phi_1423_ = _e432;
+    let _e425 = phi_1281_;
+    let _e426 = -(_e398);
+    if (_e426 <= 0f) {
+        let _e430 = ((bitcast<u32>(_e425) & 2147483647u) > 2139095040u);
+        if _e430 {
+        }
+        phi_1293_ = _e430;
     } else {
-        if (_e432 < -87f) {
-            phi_1346_ = -87f;
-        } else {
-            phi_1346_ = _e432;
+        phi_1293_ = true;
+    }
+    let _e432 = phi_1293_;
+    if _e432 {
+        phi_1300_ = (_e425 / (_e425 + (_e426 * _e426)));
+    } else {
+        phi_1300_ = 1f;
+    }
+    let _e437 = phi_1300_;
+    let _e439 = (*param_4).negative_exponent;
+    if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
+        phi_1313_ = true;
+    } else {
+        let _e443 = (42f < _e439);
+        if _e443 {
         }
-        let _e444 = phi_1346_;
-        if (_e444 > 88f) {
-            phi_1351_ = 88f;
+        phi_1313_ = _e443;
+    }
+    let _e445 = phi_1313_;
+    if _e445 {
+        phi_1317_ = 42f;
+    } else {
+        phi_1317_ = _e439;
+    }
+    let _e447 = phi_1317_;
+    let _e448 = -(_e447);
+    let _e450 = (_e448 * param_5.x);
+    let _e452 = (_e448 * param_5.y);
+    let _e454 = (_e448 * param_5.z);
+    let _e456 = (_e448 * param_5.w);
+    if ((bitcast<u32>(_e450) & 2147483647u) > 2139095040u) {
+        phi_1414_ = _e450;
+    } else {
+        if (_e450 < -87f) {
+            phi_1337_ = -87f;
         } else {
-            phi_1351_ = _e444;
+            phi_1337_ = _e450;
         }
-        let _e447 = phi_1351_;
-        let _e449 = ((_e447 * 1.442695f) + 0.5f);
-        if (_e449 > -8388608f) {
-            let _e461 = f32(select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449)));
-            if (_e461 > _e449) {
-                phi_1373_ = 1f;
+        let _e462 = phi_1337_;
+        if (_e462 > 88f) {
+            phi_1342_ = 88f;
+        } else {
+            phi_1342_ = _e462;
+        }
+        let _e465 = phi_1342_;
+        let _e467 = ((_e465 * 1.442695f) + 0.5f);
+        if (_e467 > -8388608f) {
+            let _e479 = f32(select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < bitcast<f32>(3472883712u))), 2147483647i, (_e467 > bitcast<f32>(1325400063u))), (_e467 == _e467)));
+            if (_e479 > _e467) {
+                phi_1364_ = 1f;
             } else {
-                phi_1373_ = 0f;
+                phi_1364_ = 0f;
             }
-            let _e464 = phi_1373_;
-            if (_e449 < 8388608f) {
-                phi_1378_ = (_e461 - _e464);
-                phi_1379_ = false;
+            let _e482 = phi_1364_;
+            if (_e467 < 8388608f) {
+                phi_1369_ = (_e479 - _e482);
+                phi_1370_ = false;
             } else {
-                phi_1378_ = f32();
-                phi_1379_ = true;
+                phi_1369_ = f32();
+                phi_1370_ = true;
             }
-            let _e467 = phi_1378_;
-            let _e469 = phi_1379_;
-            phi_1380_ = _e467;
-            phi_1381_ = _e469;
+            let _e485 = phi_1369_;
+            let _e487 = phi_1370_;
+            phi_1371_ = _e485;
+            phi_1372_ = _e487;
         } else {
-            phi_1380_ = f32();
-            phi_1381_ = true;
+            phi_1371_ = f32();
+            phi_1372_ = true;
         }
-        let _e471 = phi_1380_;
-        let _e473 = phi_1381_;
-        if _e473 {
-            phi_1385_ = _e449;
+        let _e489 = phi_1371_;
+        let _e491 = phi_1372_;
+        if _e491 {
+            phi_1376_ = _e467;
         } else {
-            phi_1385_ = _e471;
+            phi_1376_ = _e489;
         }
-        let _e475 = phi_1385_;
-        let _e479 = ((_e447 - (_e475 * 0.69314575f)) - (_e475 * 0.0000014286068f));
-        phi_1423_ = ((((((((((((((((1f / 5040f) * _e479) + (1f / 720f)) * _e479) + (1f / 120f)) * _e479) + (1f / 24f)) * _e479) + (1f / 6f)) * _e479) + 0.5f) * _e479) + 1f) * _e479) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e475), i32(-2147483648), (_e475 < bitcast<f32>(3472883712u))), 2147483647i, (_e475 > bitcast<f32>(1325400063u))), (_e475 == _e475)) + 127i)) << bitcast<u32>(23i))));
+        let _e493 = phi_1376_;
+        let _e497 = ((_e465 - (_e493 * 0.69314575f)) - (_e493 * 0.0000014286068f));
+        phi_1414_ = ((((((((((((((((1f / 5040f) * _e497) + (1f / 720f)) * _e497) + (1f / 120f)) * _e497) + (1f / 24f)) * _e497) + (1f / 6f)) * _e497) + 0.5f) * _e497) + 1f) * _e497) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e493), i32(-2147483648), (_e493 < bitcast<f32>(3472883712u))), 2147483647i, (_e493 > bitcast<f32>(1325400063u))), (_e493 == _e493)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e515 = phi_1423_;
-    if ((bitcast<u32>(_e434) & 2147483647u) > 2139095040u) {
-        phi_1511_ = _e434;
+    let _e533 = phi_1414_;
+    if ((bitcast<u32>(_e452) & 2147483647u) > 2139095040u) {
+        phi_1502_ = _e452;
     } else {
-        if (_e434 < -87f) {
-            phi_1434_ = -87f;
+        if (_e452 < -87f) {
+            phi_1425_ = -87f;
         } else {
-            phi_1434_ = _e434;
+            phi_1425_ = _e452;
         }
-        let _e521 = phi_1434_;
-        if (_e521 > 88f) {
-            phi_1439_ = 88f;
+        let _e539 = phi_1425_;
+        if (_e539 > 88f) {
+            phi_1430_ = 88f;
         } else {
-            phi_1439_ = _e521;
+            phi_1430_ = _e539;
         }
-        let _e524 = phi_1439_;
-        let _e526 = ((_e524 * 1.442695f) + 0.5f);
-        if (_e526 > -8388608f) {
-            let _e538 = f32(select(0i, select(select(i32(_e526), i32(-2147483648), (_e526 < bitcast<f32>(3472883712u))), 2147483647i, (_e526 > bitcast<f32>(1325400063u))), (_e526 == _e526)));
-            if (_e538 > _e526) {
-                phi_1461_ = 1f;
+        let _e542 = phi_1430_;
+        let _e544 = ((_e542 * 1.442695f) + 0.5f);
+        if (_e544 > -8388608f) {
+            let _e556 = f32(select(0i, select(select(i32(_e544), i32(-2147483648), (_e544 < bitcast<f32>(3472883712u))), 2147483647i, (_e544 > bitcast<f32>(1325400063u))), (_e544 == _e544)));
+            if (_e556 > _e544) {
+                phi_1452_ = 1f;
             } else {
-                phi_1461_ = 0f;
+                phi_1452_ = 0f;
             }
-            let _e541 = phi_1461_;
-            if (_e526 < 8388608f) {
-                phi_1466_ = (_e538 - _e541);
-                phi_1467_ = false;
+            let _e559 = phi_1452_;
+            if (_e544 < 8388608f) {
+                phi_1457_ = (_e556 - _e559);
+                phi_1458_ = false;
             } else {
-                phi_1466_ = f32();
-                phi_1467_ = true;
+                phi_1457_ = f32();
+                phi_1458_ = true;
             }
-            let _e544 = phi_1466_;
-            let _e546 = phi_1467_;
-            phi_1468_ = _e544;
-            phi_1469_ = _e546;
+            let _e562 = phi_1457_;
+            let _e564 = phi_1458_;
+            phi_1459_ = _e562;
+            phi_1460_ = _e564;
         } else {
-            phi_1468_ = f32();
-            phi_1469_ = true;
+            phi_1459_ = f32();
+            phi_1460_ = true;
         }
-        let _e548 = phi_1468_;
-        let _e550 = phi_1469_;
-        if _e550 {
-            phi_1473_ = _e526;
+        let _e566 = phi_1459_;
+        let _e568 = phi_1460_;
+        if _e568 {
+            phi_1464_ = _e544;
         } else {
-            phi_1473_ = _e548;
+            phi_1464_ = _e566;
         }
-        let _e552 = phi_1473_;
-        let _e556 = ((_e524 - (_e552 * 0.69314575f)) - (_e552 * 0.0000014286068f));
-        phi_1511_ = ((((((((((((((((1f / 5040f) * _e556) + (1f / 720f)) * _e556) + (1f / 120f)) * _e556) + (1f / 24f)) * _e556) + (1f / 6f)) * _e556) + 0.5f) * _e556) + 1f) * _e556) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e552), i32(-2147483648), (_e552 < bitcast<f32>(3472883712u))), 2147483647i, (_e552 > bitcast<f32>(1325400063u))), (_e552 == _e552)) + 127i)) << bitcast<u32>(23i))));
+        let _e570 = phi_1464_;
+        let _e574 = ((_e542 - (_e570 * 0.69314575f)) - (_e570 * 0.0000014286068f));
+        phi_1502_ = ((((((((((((((((1f / 5040f) * _e574) + (1f / 720f)) * _e574) + (1f / 120f)) * _e574) + (1f / 24f)) * _e574) + (1f / 6f)) * _e574) + 0.5f) * _e574) + 1f) * _e574) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e570), i32(-2147483648), (_e570 < bitcast<f32>(3472883712u))), 2147483647i, (_e570 > bitcast<f32>(1325400063u))), (_e570 == _e570)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e592 = phi_1511_;
-    if ((bitcast<u32>(_e436) & 2147483647u) > 2139095040u) {
-        phi_1599_ = _e436;
+    let _e610 = phi_1502_;
+    if ((bitcast<u32>(_e454) & 2147483647u) > 2139095040u) {
+        phi_1590_ = _e454;
     } else {
-        if (_e436 < -87f) {
-            phi_1522_ = -87f;
+        if (_e454 < -87f) {
+            phi_1513_ = -87f;
         } else {
-            phi_1522_ = _e436;
+            phi_1513_ = _e454;
         }
-        let _e598 = phi_1522_;
-        if (_e598 > 88f) {
-            phi_1527_ = 88f;
+        let _e616 = phi_1513_;
+        if (_e616 > 88f) {
+            phi_1518_ = 88f;
         } else {
-            phi_1527_ = _e598;
+            phi_1518_ = _e616;
         }
-        let _e601 = phi_1527_;
-        let _e603 = ((_e601 * 1.442695f) + 0.5f);
-        if (_e603 > -8388608f) {
-            let _e615 = f32(select(0i, select(select(i32(_e603), i32(-2147483648), (_e603 < bitcast<f32>(3472883712u))), 2147483647i, (_e603 > bitcast<f32>(1325400063u))), (_e603 == _e603)));
-            if (_e615 > _e603) {
-                phi_1549_ = 1f;
+        let _e619 = phi_1518_;
+        let _e621 = ((_e619 * 1.442695f) + 0.5f);
+        if (_e621 > -8388608f) {
+            let _e633 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
+            if (_e633 > _e621) {
+                phi_1540_ = 1f;
             } else {
-                phi_1549_ = 0f;
+                phi_1540_ = 0f;
             }
-            let _e618 = phi_1549_;
-            if (_e603 < 8388608f) {
-                phi_1554_ = (_e615 - _e618);
-                phi_1555_ = false;
+            let _e636 = phi_1540_;
+            if (_e621 < 8388608f) {
+                phi_1545_ = (_e633 - _e636);
+                phi_1546_ = false;
             } else {
-                phi_1554_ = f32();
-                phi_1555_ = true;
+                phi_1545_ = f32();
+                phi_1546_ = true;
             }
-            let _e621 = phi_1554_;
-            let _e623 = phi_1555_;
-            phi_1556_ = _e621;
-            phi_1557_ = _e623;
+            let _e639 = phi_1545_;
+            let _e641 = phi_1546_;
+            phi_1547_ = _e639;
+            phi_1548_ = _e641;
         } else {
-            phi_1556_ = f32();
-            phi_1557_ = true;
+            phi_1547_ = f32();
+            phi_1548_ = true;
         }
-        let _e625 = phi_1556_;
-        let _e627 = phi_1557_;
-        if _e627 {
-            phi_1561_ = _e603;
+        let _e643 = phi_1547_;
+        let _e645 = phi_1548_;
+        if _e645 {
+            phi_1552_ = _e621;
         } else {
-            phi_1561_ = _e625;
+            phi_1552_ = _e643;
         }
-        let _e629 = phi_1561_;
-        let _e633 = ((_e601 - (_e629 * 0.69314575f)) - (_e629 * 0.0000014286068f));
-        phi_1599_ = ((((((((((((((((1f / 5040f) * _e633) + (1f / 720f)) * _e633) + (1f / 120f)) * _e633) + (1f / 24f)) * _e633) + (1f / 6f)) * _e633) + 0.5f) * _e633) + 1f) * _e633) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e629), i32(-2147483648), (_e629 < bitcast<f32>(3472883712u))), 2147483647i, (_e629 > bitcast<f32>(1325400063u))), (_e629 == _e629)) + 127i)) << bitcast<u32>(23i))));
+        let _e647 = phi_1552_;
+        let _e651 = ((_e619 - (_e647 * 0.69314575f)) - (_e647 * 0.0000014286068f));
+        phi_1590_ = ((((((((((((((((1f / 5040f) * _e651) + (1f / 720f)) * _e651) + (1f / 120f)) * _e651) + (1f / 24f)) * _e651) + (1f / 6f)) * _e651) + 0.5f) * _e651) + 1f) * _e651) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < bitcast<f32>(3472883712u))), 2147483647i, (_e647 > bitcast<f32>(1325400063u))), (_e647 == _e647)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e669 = phi_1599_;
-    if ((bitcast<u32>(_e438) & 2147483647u) > 2139095040u) {
-        phi_1687_ = _e438;
+    let _e687 = phi_1590_;
+    if ((bitcast<u32>(_e456) & 2147483647u) > 2139095040u) {
+        phi_1678_ = _e456;
     } else {
-        if (_e438 < -87f) {
-            phi_1610_ = -87f;
+        if (_e456 < -87f) {
+            phi_1601_ = -87f;
         } else {
-            phi_1610_ = _e438;
+            phi_1601_ = _e456;
         }
-        let _e675 = phi_1610_;
-        if (_e675 > 88f) {
-            phi_1615_ = 88f;
+        let _e693 = phi_1601_;
+        if (_e693 > 88f) {
+            phi_1606_ = 88f;
         } else {
-            phi_1615_ = _e675;
+            phi_1606_ = _e693;
         }
-        let _e678 = phi_1615_;
-        let _e680 = ((_e678 * 1.442695f) + 0.5f);
-        if (_e680 > -8388608f) {
-            let _e692 = f32(select(0i, select(select(i32(_e680), i32(-2147483648), (_e680 < bitcast<f32>(3472883712u))), 2147483647i, (_e680 > bitcast<f32>(1325400063u))), (_e680 == _e680)));
-            if (_e692 > _e680) {
-                phi_1637_ = 1f;
+        let _e696 = phi_1606_;
+        let _e698 = ((_e696 * 1.442695f) + 0.5f);
+        if (_e698 > -8388608f) {
+            let _e710 = f32(select(0i, select(select(i32(_e698), i32(-2147483648), (_e698 < bitcast<f32>(3472883712u))), 2147483647i, (_e698 > bitcast<f32>(1325400063u))), (_e698 == _e698)));
+            if (_e710 > _e698) {
+                phi_1628_ = 1f;
             } else {
-                phi_1637_ = 0f;
+                phi_1628_ = 0f;
             }
-            let _e695 = phi_1637_;
-            if (_e680 < 8388608f) {
-                phi_1642_ = (_e692 - _e695);
-                phi_1643_ = false;
+            let _e713 = phi_1628_;
+            if (_e698 < 8388608f) {
+                phi_1633_ = (_e710 - _e713);
+                phi_1634_ = false;
             } else {
-                phi_1642_ = f32();
-                phi_1643_ = true;
+                phi_1633_ = f32();
+                phi_1634_ = true;
             }
-            let _e698 = phi_1642_;
-            let _e700 = phi_1643_;
-            phi_1644_ = _e698;
-            phi_1645_ = _e700;
+            let _e716 = phi_1633_;
+            let _e718 = phi_1634_;
+            phi_1635_ = _e716;
+            phi_1636_ = _e718;
         } else {
-            phi_1644_ = f32();
-            phi_1645_ = true;
+            phi_1635_ = f32();
+            phi_1636_ = true;
         }
-        let _e702 = phi_1644_;
-        let _e704 = phi_1645_;
-        if _e704 {
-            phi_1649_ = _e680;
+        let _e720 = phi_1635_;
+        let _e722 = phi_1636_;
+        if _e722 {
+            phi_1640_ = _e698;
         } else {
-            phi_1649_ = _e702;
+            phi_1640_ = _e720;
         }
-        let _e706 = phi_1649_;
-        let _e710 = ((_e678 - (_e706 * 0.69314575f)) - (_e706 * 0.0000014286068f));
-        phi_1687_ = ((((((((((((((((1f / 5040f) * _e710) + (1f / 720f)) * _e710) + (1f / 120f)) * _e710) + (1f / 24f)) * _e710) + (1f / 6f)) * _e710) + 0.5f) * _e710) + 1f) * _e710) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e706), i32(-2147483648), (_e706 < bitcast<f32>(3472883712u))), 2147483647i, (_e706 > bitcast<f32>(1325400063u))), (_e706 == _e706)) + 127i)) << bitcast<u32>(23i))));
+        let _e724 = phi_1640_;
+        let _e728 = ((_e696 - (_e724 * 0.69314575f)) - (_e724 * 0.0000014286068f));
+        phi_1678_ = ((((((((((((((((1f / 5040f) * _e728) + (1f / 720f)) * _e728) + (1f / 120f)) * _e728) + (1f / 24f)) * _e728) + (1f / 6f)) * _e728) + 0.5f) * _e728) + 1f) * _e728) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e724), i32(-2147483648), (_e724 < bitcast<f32>(3472883712u))), 2147483647i, (_e724 > bitcast<f32>(1325400063u))), (_e724 == _e724)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e746 = phi_1687_;
-    let _e748 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e515);
-    let _e750 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e592);
-    let _e752 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e669);
-    let _e754 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e746);
-    let _e756 = (*param_6).min_variance;
-    let _e758 = ((_e756 * _e429) * _e429);
-    let _e769 = ((((_e748 * param_8.x) + (_e750 * param_8.y)) + (_e752 * param_8.z)) + (_e754 * param_8.w));
-    let _e770 = (_e748 - _e769);
-    let _e771 = (_e750 - _e769);
-    let _e772 = (_e752 - _e769);
-    let _e773 = (_e754 - _e769);
-    let _e788 = (((((_e770 * _e770) * param_8.x) + ((_e771 * _e771) * param_8.y)) + ((_e772 * _e772) * param_8.z)) + ((_e773 * _e773) * param_8.w));
-    if ((bitcast<u32>(_e758) & 2147483647u) > 2139095040u) {
-        phi_1740_ = true;
+    let _e764 = phi_1678_;
+    let _e766 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e533);
+    let _e768 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e610);
+    let _e770 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e687);
+    let _e772 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e764);
+    let _e774 = (*param_4).min_variance;
+    let _e776 = ((_e774 * _e447) * _e447);
+    let _e787 = ((((_e766 * param_6.x) + (_e768 * param_6.y)) + (_e770 * param_6.z)) + (_e772 * param_6.w));
+    let _e788 = (_e766 - _e787);
+    let _e789 = (_e768 - _e787);
+    let _e790 = (_e770 - _e787);
+    let _e791 = (_e772 - _e787);
+    let _e806 = (((((_e788 * _e788) * param_6.x) + ((_e789 * _e789) * param_6.y)) + ((_e790 * _e790) * param_6.z)) + ((_e791 * _e791) * param_6.w));
+    if ((bitcast<u32>(_e776) & 2147483647u) > 2139095040u) {
+        phi_1731_ = true;
     } else {
-        let _e792 = (_e758 > _e788);
-        if _e792 {
+        let _e810 = (_e776 > _e806);
+        if _e810 {
         }
-        phi_1740_ = _e792;
+        phi_1731_ = _e810;
     }
-    let _e794 = phi_1740_;
-    if _e794 {
-        phi_1744_ = _e758;
+    let _e812 = phi_1731_;
+    if _e812 {
+        phi_1735_ = _e776;
     } else {
-        phi_1744_ = _e788;
+        phi_1735_ = _e806;
     }
-    let _e796 = phi_1744_;
-    let _e797 = -(_e769);
-    if (_e797 <= 0f) {
-        let _e801 = ((bitcast<u32>(_e796) & 2147483647u) > 2139095040u);
-        if _e801 {
+    let _e814 = phi_1735_;
+    let _e815 = -(_e787);
+    if (_e815 <= 0f) {
+        let _e819 = ((bitcast<u32>(_e814) & 2147483647u) > 2139095040u);
+        if _e819 {
         }
-        phi_1756_ = _e801;
+        phi_1747_ = _e819;
     } else {
-        phi_1756_ = true;
+        phi_1747_ = true;
     }
-    let _e803 = phi_1756_;
-    if _e803 {
-        phi_1763_ = (_e796 / (_e796 + (_e797 * _e797)));
+    let _e821 = phi_1747_;
+    if _e821 {
+        phi_1754_ = (_e814 / (_e814 + (_e815 * _e815)));
     } else {
-        phi_1763_ = 1f;
+        phi_1754_ = 1f;
     }
-    let _e808 = phi_1763_;
-    if ((bitcast<u32>(_e808) & 2147483647u) > 2139095040u) {
-        phi_1774_ = true;
+    let _e826 = phi_1754_;
+    if ((bitcast<u32>(_e826) & 2147483647u) > 2139095040u) {
+        phi_1765_ = true;
     } else {
-        let _e812 = (_e808 < _e428);
-        if _e812 {
+        let _e830 = (_e826 < _e437);
+        if _e830 {
         }
-        phi_1774_ = _e812;
+        phi_1765_ = _e830;
     }
-    let _e814 = phi_1774_;
-    if _e814 {
-        phi_1778_ = _e808;
+    let _e832 = phi_1765_;
+    if _e832 {
+        phi_1769_ = _e826;
     } else {
-        phi_1778_ = _e428;
+        phi_1769_ = _e437;
     }
-    let _e816 = phi_1778_;
-    if ((bitcast<u32>(_e816) & 2147483647u) > 2139095040u) {
-        phi_1795_ = _e816;
+    let _e834 = phi_1769_;
+    if ((bitcast<u32>(_e834) & 2147483647u) > 2139095040u) {
+        phi_1786_ = _e834;
     } else {
-        if (_e816 < 0f) {
-            phi_1794_ = 0f;
+        if (_e834 < 0f) {
+            phi_1785_ = 0f;
         } else {
-            if (_e816 > 1f) {
-                phi_1793_ = 1f;
+            if (_e834 > 1f) {
+                phi_1784_ = 1f;
             } else {
-                phi_1793_ = _e816;
+                phi_1784_ = _e834;
             }
-            let _e823 = phi_1793_;
-            phi_1794_ = _e823;
+            let _e841 = phi_1784_;
+            phi_1785_ = _e841;
         }
-        let _e825 = phi_1794_;
-        phi_1795_ = _e825;
+        let _e843 = phi_1785_;
+        phi_1786_ = _e843;
     }
-    let _e827 = phi_1795_;
-    return _e827;
+    let _e845 = phi_1786_;
+    return _e845;
 }
 
-fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_9: ptr<function, lt_math_Evsm>, param_10: vec4<f32>, param_11: vec4<f32>, param_12: f32) -> f32 {
-    var phi_750_: f32;
-    var phi_751_: f32;
-    var phi_752_: f32;
-    var phi_768_: f32;
-    var phi_769_: f32;
-    var phi_770_: f32;
-    var phi_786_: f32;
-    var phi_787_: f32;
-    var phi_788_: f32;
-    var phi_804_: f32;
-    var phi_805_: f32;
-    var phi_806_: f32;
-    var phi_822_: f32;
-    var phi_823_: f32;
-    var phi_824_: f32;
-    var phi_861_: bool;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_868_: bool;
-    var phi_869_: bool;
-    var phi_870_: bool;
-    var phi_871_: bool;
-    var phi_875_: bool;
-    var phi_879_: bool;
-    var phi_884_: f32;
+fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_7: ptr<function, lt_math_Evsm>, param_8: vec4<f32>, param_9: vec4<f32>, param_10: f32) -> f32 {
+    var phi_709_: f32;
+    var phi_710_: f32;
+    var phi_711_: f32;
+    var phi_727_: f32;
+    var phi_728_: f32;
+    var phi_729_: f32;
+    var phi_745_: f32;
+    var phi_746_: f32;
+    var phi_747_: f32;
+    var phi_763_: f32;
+    var phi_764_: f32;
+    var phi_765_: f32;
+    var phi_781_: f32;
+    var phi_782_: f32;
+    var phi_783_: f32;
+    var phi_820_: bool;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_834_: bool;
+    var phi_838_: bool;
+    var phi_843_: f32;
 
-    if ((bitcast<u32>(param_12) & 2147483647u) > 2139095040u) {
-        phi_752_ = param_12;
+    if ((bitcast<u32>(param_10) & 2147483647u) > 2139095040u) {
+        phi_711_ = param_10;
     } else {
-        if (param_12 < 0f) {
-            phi_751_ = 0f;
+        if (param_10 < 0f) {
+            phi_710_ = 0f;
         } else {
-            if (param_12 > 1f) {
-                phi_750_ = 1f;
+            if (param_10 > 1f) {
+                phi_709_ = 1f;
             } else {
-                phi_750_ = param_12;
+                phi_709_ = param_10;
             }
-            let _e57 = phi_750_;
-            phi_751_ = _e57;
+            let _e57 = phi_709_;
+            phi_710_ = _e57;
         }
-        let _e59 = phi_751_;
-        phi_752_ = _e59;
+        let _e59 = phi_710_;
+        phi_711_ = _e59;
     }
-    let _e61 = phi_752_;
-    if ((bitcast<u32>(param_10.x) & 2147483647u) > 2139095040u) {
-        phi_770_ = param_10.x;
+    let _e61 = phi_711_;
+    if ((bitcast<u32>(param_8.x) & 2147483647u) > 2139095040u) {
+        phi_729_ = param_8.x;
     } else {
-        if (param_10.x < 0f) {
-            phi_769_ = 0f;
+        if (param_8.x < 0f) {
+            phi_728_ = 0f;
         } else {
-            if (param_10.x > 1f) {
-                phi_768_ = 1f;
+            if (param_8.x > 1f) {
+                phi_727_ = 1f;
             } else {
-                phi_768_ = param_10.x;
+                phi_727_ = param_8.x;
             }
-            let _e69 = phi_768_;
-            phi_769_ = _e69;
+            let _e69 = phi_727_;
+            phi_728_ = _e69;
         }
-        let _e71 = phi_769_;
-        phi_770_ = _e71;
+        let _e71 = phi_728_;
+        phi_729_ = _e71;
     }
-    let _e73 = phi_770_;
-    if ((bitcast<u32>(param_10.y) & 2147483647u) > 2139095040u) {
-        phi_788_ = param_10.y;
+    let _e73 = phi_729_;
+    if ((bitcast<u32>(param_8.y) & 2147483647u) > 2139095040u) {
+        phi_747_ = param_8.y;
     } else {
-        if (param_10.y < 0f) {
-            phi_787_ = 0f;
+        if (param_8.y < 0f) {
+            phi_746_ = 0f;
         } else {
-            if (param_10.y > 1f) {
-                phi_786_ = 1f;
+            if (param_8.y > 1f) {
+                phi_745_ = 1f;
             } else {
-                phi_786_ = param_10.y;
+                phi_745_ = param_8.y;
             }
-            let _e81 = phi_786_;
-            phi_787_ = _e81;
+            let _e81 = phi_745_;
+            phi_746_ = _e81;
         }
-        let _e83 = phi_787_;
-        phi_788_ = _e83;
+        let _e83 = phi_746_;
+        phi_747_ = _e83;
     }
-    let _e85 = phi_788_;
-    if ((bitcast<u32>(param_10.z) & 2147483647u) > 2139095040u) {
-        phi_806_ = param_10.z;
+    let _e85 = phi_747_;
+    if ((bitcast<u32>(param_8.z) & 2147483647u) > 2139095040u) {
+        phi_765_ = param_8.z;
     } else {
-        if (param_10.z < 0f) {
-            phi_805_ = 0f;
+        if (param_8.z < 0f) {
+            phi_764_ = 0f;
         } else {
-            if (param_10.z > 1f) {
-                phi_804_ = 1f;
+            if (param_8.z > 1f) {
+                phi_763_ = 1f;
             } else {
-                phi_804_ = param_10.z;
+                phi_763_ = param_8.z;
             }
-            let _e93 = phi_804_;
-            phi_805_ = _e93;
+            let _e93 = phi_763_;
+            phi_764_ = _e93;
         }
-        let _e95 = phi_805_;
-        phi_806_ = _e95;
+        let _e95 = phi_764_;
+        phi_765_ = _e95;
     }
-    let _e97 = phi_806_;
-    if ((bitcast<u32>(param_10.w) & 2147483647u) > 2139095040u) {
-        phi_824_ = param_10.w;
+    let _e97 = phi_765_;
+    if ((bitcast<u32>(param_8.w) & 2147483647u) > 2139095040u) {
+        phi_783_ = param_8.w;
     } else {
-        if (param_10.w < 0f) {
-            phi_823_ = 0f;
+        if (param_8.w < 0f) {
+            phi_782_ = 0f;
         } else {
-            if (param_10.w > 1f) {
-                phi_822_ = 1f;
+            if (param_8.w > 1f) {
+                phi_781_ = 1f;
             } else {
-                phi_822_ = param_10.w;
+                phi_781_ = param_8.w;
             }
-            let _e105 = phi_822_;
-            phi_823_ = _e105;
+            let _e105 = phi_781_;
+            phi_782_ = _e105;
         }
-        let _e107 = phi_823_;
-        phi_824_ = _e107;
+        let _e107 = phi_782_;
+        phi_783_ = _e107;
     }
-    let _e109 = phi_824_;
+    let _e109 = phi_783_;
     let _e110 = (_e73 - _e61);
     let _e111 = (_e85 - _e61);
     let _e112 = (_e97 - _e61);
@@ -912,117 +900,117 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_o
         if (_e111 >= 0f) {
             if (_e112 >= 0f) {
                 if (_e113 >= 0f) {
-                    phi_861_ = !(((bitcast<u32>(((((_e110 * param_11.x) + (_e111 * param_11.y)) + (_e112 * param_11.z)) + (_e113 * param_11.w))) & 2147483647u) > 2139095040u));
-                    phi_862_ = false;
+                    phi_820_ = !(((bitcast<u32>(((((_e110 * param_9.x) + (_e111 * param_9.y)) + (_e112 * param_9.z)) + (_e113 * param_9.w))) & 2147483647u) > 2139095040u));
+                    phi_821_ = false;
                 } else {
-                    phi_861_ = bool();
-                    phi_862_ = true;
+                    phi_820_ = bool();
+                    phi_821_ = true;
                 }
-                let _e135 = phi_861_;
-                let _e137 = phi_862_;
-                phi_863_ = _e135;
-                phi_864_ = false;
-                phi_865_ = _e137;
+                let _e135 = phi_820_;
+                let _e137 = phi_821_;
+                phi_822_ = _e135;
+                phi_823_ = false;
+                phi_824_ = _e137;
             } else {
-                phi_863_ = bool();
-                phi_864_ = true;
-                phi_865_ = false;
+                phi_822_ = bool();
+                phi_823_ = true;
+                phi_824_ = false;
             }
-            let _e139 = phi_863_;
-            let _e141 = phi_864_;
-            let _e143 = phi_865_;
-            phi_866_ = _e139;
-            phi_867_ = _e141;
-            phi_868_ = _e143;
+            let _e139 = phi_822_;
+            let _e141 = phi_823_;
+            let _e143 = phi_824_;
+            phi_825_ = _e139;
+            phi_826_ = _e141;
+            phi_827_ = _e143;
         } else {
-            phi_866_ = bool();
-            phi_867_ = true;
-            phi_868_ = false;
+            phi_825_ = bool();
+            phi_826_ = true;
+            phi_827_ = false;
         }
-        let _e145 = phi_866_;
-        let _e147 = phi_867_;
-        let _e149 = phi_868_;
-        phi_869_ = _e145;
-        phi_870_ = _e147;
-        phi_871_ = _e149;
+        let _e145 = phi_825_;
+        let _e147 = phi_826_;
+        let _e149 = phi_827_;
+        phi_828_ = _e145;
+        phi_829_ = _e147;
+        phi_830_ = _e149;
     } else {
-        phi_869_ = bool();
-        phi_870_ = true;
-        phi_871_ = false;
+        phi_828_ = bool();
+        phi_829_ = true;
+        phi_830_ = false;
     }
-    let _e151 = phi_869_;
-    let _e153 = phi_870_;
-    let _e155 = phi_871_;
+    let _e151 = phi_828_;
+    let _e153 = phi_829_;
+    let _e155 = phi_830_;
     if _e153 {
-        phi_875_ = true;
+        phi_834_ = true;
     } else {
-        phi_875_ = _e155;
+        phi_834_ = _e155;
     }
-    let _e157 = phi_875_;
+    let _e157 = phi_834_;
     if _e157 {
-        phi_879_ = false;
+        phi_838_ = false;
     } else {
-        phi_879_ = _e151;
+        phi_838_ = _e151;
     }
-    let _e159 = phi_879_;
+    let _e159 = phi_838_;
     if _e159 {
-        phi_884_ = 1f;
+        phi_843_ = 1f;
     } else {
-        let _e160 = _lt_math_evsm_Evsm_bound_of_offsets(param_9, vec4<f32>(_e110, _e111, _e112, _e113), param_11);
-        phi_884_ = _e160;
+        let _e160 = _lt_math_evsm_Evsm_bound_of_offsets(param_7, vec4<f32>(_e110, _e111, _e112, _e113), param_9);
+        phi_843_ = _e160;
     }
-    let _e162 = phi_884_;
+    let _e162 = phi_843_;
     return _e162;
 }
 
 fn function_() {
     var local: lt_math_Evsm;
-    var phi_254_: bool;
-    var phi_255_: bool;
-    var phi_256_: bool;
-    var phi_257_: bool;
-    var phi_261_: bool;
-    var phi_305_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_309_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_386_: bool;
-    var phi_395_: bool;
-    var phi_404_: bool;
-    var phi_405_: bool;
-    var phi_406_: bool;
-    var phi_407_: bool;
-    var phi_408_: bool;
-    var phi_409_: bool;
-    var phi_410_: bool;
-    var phi_414_: bool;
-    var phi_508_: f32;
+    var phi_213_: bool;
+    var phi_214_: bool;
+    var phi_215_: bool;
+    var phi_216_: bool;
+    var phi_220_: bool;
+    var phi_264_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_268_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_345_: bool;
+    var phi_354_: bool;
+    var phi_363_: bool;
+    var phi_364_: bool;
+    var phi_365_: bool;
+    var phi_366_: bool;
+    var phi_367_: bool;
+    var phi_368_: bool;
+    var phi_369_: bool;
+    var phi_373_: bool;
+    var phi_467_: f32;
+    var phi_470_: f32;
+    var phi_499_: f32;
+    var phi_504_: f32;
+    var phi_505_: bool;
+    var phi_506_: f32;
+    var phi_507_: bool;
     var phi_511_: f32;
-    var phi_540_: f32;
-    var phi_545_: f32;
-    var phi_546_: bool;
-    var phi_547_: f32;
-    var phi_548_: bool;
-    var phi_552_: f32;
-    var phi_572_: f32;
-    var phi_577_: f32;
-    var phi_578_: bool;
-    var phi_579_: f32;
-    var phi_580_: bool;
-    var phi_584_: f32;
-    var phi_634_: i32;
-    var phi_639_: i32;
-    var phi_644_: i32;
-    var phi_649_: i32;
-    var phi_658_: i32;
-    var phi_663_: i32;
-    var phi_668_: i32;
-    var phi_673_: i32;
-    var phi_714_: evaluate_Verdict;
-    var phi_715_: evaluate_Verdict;
-    var phi_716_: bool;
-    var phi_717_: evaluate_Verdict;
-    var phi_718_: evaluate_Verdict;
-    var phi_719_: bool;
-    var phi_723_: evaluate_Verdict;
+    var phi_531_: f32;
+    var phi_536_: f32;
+    var phi_537_: bool;
+    var phi_538_: f32;
+    var phi_539_: bool;
+    var phi_543_: f32;
+    var phi_593_: i32;
+    var phi_598_: i32;
+    var phi_603_: i32;
+    var phi_608_: i32;
+    var phi_617_: i32;
+    var phi_622_: i32;
+    var phi_627_: i32;
+    var phi_632_: i32;
+    var phi_673_: evaluate_Verdict;
+    var phi_674_: evaluate_Verdict;
+    var phi_675_: bool;
+    var phi_676_: evaluate_Verdict;
+    var phi_677_: evaluate_Verdict;
+    var phi_678_: bool;
+    var phi_682_: evaluate_Verdict;
 
     let _e48 = id_1;
     let _e55 = arrayLength((&map.member));
@@ -1043,28 +1031,28 @@ fn function_() {
             if (_e81 == _e83) {
                 let _e86 = samples.member[(0u + _e64.first_primitive)].normal[2u];
                 let _e88 = global[2u];
-                phi_254_ = (_e86 == _e88);
-                phi_255_ = false;
+                phi_213_ = (_e86 == _e88);
+                phi_214_ = false;
             } else {
-                phi_254_ = bool();
-                phi_255_ = true;
+                phi_213_ = bool();
+                phi_214_ = true;
             }
-            let _e91 = phi_254_;
-            let _e93 = phi_255_;
-            phi_256_ = _e91;
-            phi_257_ = _e93;
+            let _e91 = phi_213_;
+            let _e93 = phi_214_;
+            phi_215_ = _e91;
+            phi_216_ = _e93;
         } else {
-            phi_256_ = bool();
-            phi_257_ = true;
+            phi_215_ = bool();
+            phi_216_ = true;
         }
-        let _e95 = phi_256_;
-        let _e97 = phi_257_;
+        let _e95 = phi_215_;
+        let _e97 = phi_216_;
         if _e97 {
-            phi_261_ = false;
+            phi_220_ = false;
         } else {
-            phi_261_ = _e95;
+            phi_220_ = _e95;
         }
-        let _e99 = phi_261_;
+        let _e99 = phi_220_;
         if !(_e99) {
             let _e102 = samples.member[(0u + _e64.first_primitive)].normal;
             let _e104 = samples.member[(0u + _e64.first_primitive)].position;
@@ -1072,24 +1060,24 @@ fn function_() {
                 let _e128 = samples.member[(0u + _e64.first_primitive)].flags;
                 let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
-                phi_305_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
+                phi_264_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
             } else {
                 let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
-                phi_305_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
+                phi_264_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
             }
-            let _e162 = phi_305_;
-            phi_309_ = _e162;
+            let _e162 = phi_264_;
+            phi_268_ = _e162;
         } else {
             let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-            phi_309_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
+            phi_268_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
         }
-        let _e179 = phi_309_;
+        let _e179 = phi_268_;
         if _e179.unnamed_1 {
-            phi_717_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
-            phi_718_ = evaluate_Verdict();
-            phi_719_ = true;
+            phi_676_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
+            phi_677_ = evaluate_Verdict();
+            phi_678_ = true;
         } else {
             let _e187 = samples.member[(0u + _e64.first_primitive)].position;
             let _e193 = p.member.projection.row_w;
@@ -1102,55 +1090,55 @@ fn function_() {
             let _e245 = ((((_e234.x * _e187.x) + (_e234.y * _e187.y)) + (_e234.z * _e187.z)) + (_e234.w * 1f));
             if (_e204 > 0f) {
                 if (_e218 >= 0f) {
-                    phi_386_ = (_e218 <= 1f);
+                    phi_345_ = (_e218 <= 1f);
                 } else {
-                    phi_386_ = false;
+                    phi_345_ = false;
                 }
-                let _e250 = phi_386_;
+                let _e250 = phi_345_;
                 if _e250 {
                     if (_e232 >= 0f) {
-                        phi_395_ = (_e232 <= 1f);
+                        phi_354_ = (_e232 <= 1f);
                     } else {
-                        phi_395_ = false;
+                        phi_354_ = false;
                     }
-                    let _e254 = phi_395_;
+                    let _e254 = phi_354_;
                     if _e254 {
                         if (_e245 >= 0f) {
-                            phi_404_ = (_e245 <= 1f);
+                            phi_363_ = (_e245 <= 1f);
                         } else {
-                            phi_404_ = false;
+                            phi_363_ = false;
                         }
-                        let _e258 = phi_404_;
-                        phi_405_ = _e258;
-                        phi_406_ = false;
+                        let _e258 = phi_363_;
+                        phi_364_ = _e258;
+                        phi_365_ = false;
                     } else {
-                        phi_405_ = bool();
-                        phi_406_ = true;
+                        phi_364_ = bool();
+                        phi_365_ = true;
                     }
-                    let _e260 = phi_405_;
-                    let _e262 = phi_406_;
-                    phi_407_ = _e260;
-                    phi_408_ = _e262;
+                    let _e260 = phi_364_;
+                    let _e262 = phi_365_;
+                    phi_366_ = _e260;
+                    phi_367_ = _e262;
                 } else {
-                    phi_407_ = bool();
-                    phi_408_ = true;
+                    phi_366_ = bool();
+                    phi_367_ = true;
                 }
-                let _e264 = phi_407_;
-                let _e266 = phi_408_;
-                phi_409_ = _e264;
-                phi_410_ = _e266;
+                let _e264 = phi_366_;
+                let _e266 = phi_367_;
+                phi_368_ = _e264;
+                phi_369_ = _e266;
             } else {
-                phi_409_ = bool();
-                phi_410_ = true;
+                phi_368_ = bool();
+                phi_369_ = true;
             }
-            let _e268 = phi_409_;
-            let _e270 = phi_410_;
+            let _e268 = phi_368_;
+            let _e270 = phi_369_;
             if _e270 {
-                phi_414_ = false;
+                phi_373_ = false;
             } else {
-                phi_414_ = _e268;
+                phi_373_ = _e268;
             }
-            let _e272 = phi_414_;
+            let _e272 = phi_373_;
             if _e272 {
                 if (0f > 0f) {
                     let _e275 = samples.member[(0u + _e64.first_primitive)].normal;
@@ -1160,16 +1148,16 @@ fn function_() {
                     let _e324 = p.member.projection.row_z;
                     let _e351 = ((abs(((((_e280.x * _e275.x) + (_e280.y * _e275.y)) + (_e280.z * _e275.z)) / (((_e280.x * _e280.x) + (_e280.y * _e280.y)) + (_e280.z * _e280.z)))) + abs(((((_e302.x * _e275.x) + (_e302.y * _e275.y)) + (_e302.z * _e275.z)) / (((_e302.x * _e302.x) + (_e302.y * _e302.y)) + (_e302.z * _e302.z))))) / (abs(((((_e324.x * _e275.x) + (_e324.y * _e275.y)) + (_e324.z * _e275.z)) / (((_e324.x * _e324.x) + (_e324.y * _e324.y)) + (_e324.z * _e324.z)))) * f32(_e277)));
                     if (_e351 < 0.002f) {
-                        phi_508_ = _e351;
+                        phi_467_ = _e351;
                     } else {
-                        phi_508_ = 0.002f;
+                        phi_467_ = 0.002f;
                     }
-                    let _e354 = phi_508_;
-                    phi_511_ = (_e245 - (0f * _e354));
+                    let _e354 = phi_467_;
+                    phi_470_ = (_e245 - (0f * _e354));
                 } else {
-                    phi_511_ = _e245;
+                    phi_470_ = _e245;
                 }
-                let _e358 = phi_511_;
+                let _e358 = phi_470_;
                 let _e360 = p.member.map_size;
                 let _e361 = f32(_e360);
                 let _e364 = ((_e218 * _e361) - 0.5f);
@@ -1177,65 +1165,65 @@ fn function_() {
                 if (_e364 > -8388608f) {
                     let _e377 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
                     if (_e377 > _e364) {
-                        phi_540_ = 1f;
+                        phi_499_ = 1f;
                     } else {
-                        phi_540_ = 0f;
+                        phi_499_ = 0f;
                     }
-                    let _e380 = phi_540_;
+                    let _e380 = phi_499_;
                     if (_e364 < 8388608f) {
-                        phi_545_ = (_e377 - _e380);
-                        phi_546_ = false;
+                        phi_504_ = (_e377 - _e380);
+                        phi_505_ = false;
                     } else {
-                        phi_545_ = f32();
-                        phi_546_ = true;
+                        phi_504_ = f32();
+                        phi_505_ = true;
                     }
-                    let _e383 = phi_545_;
-                    let _e385 = phi_546_;
-                    phi_547_ = _e383;
-                    phi_548_ = _e385;
+                    let _e383 = phi_504_;
+                    let _e385 = phi_505_;
+                    phi_506_ = _e383;
+                    phi_507_ = _e385;
                 } else {
-                    phi_547_ = f32();
-                    phi_548_ = true;
+                    phi_506_ = f32();
+                    phi_507_ = true;
                 }
-                let _e387 = phi_547_;
-                let _e389 = phi_548_;
+                let _e387 = phi_506_;
+                let _e389 = phi_507_;
                 if _e389 {
-                    phi_552_ = _e364;
+                    phi_511_ = _e364;
                 } else {
-                    phi_552_ = _e387;
+                    phi_511_ = _e387;
                 }
-                let _e391 = phi_552_;
+                let _e391 = phi_511_;
                 if (_e365 > -8388608f) {
                     let _e403 = f32(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)));
                     if (_e403 > _e365) {
-                        phi_572_ = 1f;
+                        phi_531_ = 1f;
                     } else {
-                        phi_572_ = 0f;
+                        phi_531_ = 0f;
                     }
-                    let _e406 = phi_572_;
+                    let _e406 = phi_531_;
                     if (_e365 < 8388608f) {
-                        phi_577_ = (_e403 - _e406);
-                        phi_578_ = false;
+                        phi_536_ = (_e403 - _e406);
+                        phi_537_ = false;
                     } else {
-                        phi_577_ = f32();
-                        phi_578_ = true;
+                        phi_536_ = f32();
+                        phi_537_ = true;
                     }
-                    let _e409 = phi_577_;
-                    let _e411 = phi_578_;
-                    phi_579_ = _e409;
-                    phi_580_ = _e411;
+                    let _e409 = phi_536_;
+                    let _e411 = phi_537_;
+                    phi_538_ = _e409;
+                    phi_539_ = _e411;
                 } else {
-                    phi_579_ = f32();
-                    phi_580_ = true;
+                    phi_538_ = f32();
+                    phi_539_ = true;
                 }
-                let _e413 = phi_579_;
-                let _e415 = phi_580_;
+                let _e413 = phi_538_;
+                let _e415 = phi_539_;
                 if _e415 {
-                    phi_584_ = _e365;
+                    phi_543_ = _e365;
                 } else {
-                    phi_584_ = _e413;
+                    phi_543_ = _e413;
                 }
-                let _e417 = phi_584_;
+                let _e417 = phi_543_;
                 let _e418 = (_e364 - _e391);
                 let _e419 = (_e365 - _e417);
                 let _e428 = select(0i, select(select(i32(_e391), i32(-2147483648), (_e391 < bitcast<f32>(3472883712u))), 2147483647i, (_e391 > bitcast<f32>(1325400063u))), (_e391 == _e391));
@@ -1246,56 +1234,56 @@ fn function_() {
                 local = lt_math_Evsm(_e449.positive_exponent, _e449.negative_exponent, _e449.min_variance);
                 let _e457 = (bitcast<i32>(_e451) - 1i);
                 if (_e428 > 0i) {
-                    phi_634_ = _e428;
+                    phi_593_ = _e428;
                 } else {
-                    phi_634_ = 0i;
+                    phi_593_ = 0i;
                 }
-                let _e460 = phi_634_;
+                let _e460 = phi_593_;
                 if (_e437 > 0i) {
-                    phi_639_ = _e437;
+                    phi_598_ = _e437;
                 } else {
-                    phi_639_ = 0i;
+                    phi_598_ = 0i;
                 }
-                let _e463 = phi_639_;
+                let _e463 = phi_598_;
                 if (_e460 < _e457) {
-                    phi_644_ = _e460;
+                    phi_603_ = _e460;
                 } else {
-                    phi_644_ = _e457;
+                    phi_603_ = _e457;
                 }
-                let _e466 = phi_644_;
+                let _e466 = phi_603_;
                 if (_e463 < _e457) {
-                    phi_649_ = _e463;
+                    phi_608_ = _e463;
                 } else {
-                    phi_649_ = _e457;
+                    phi_608_ = _e457;
                 }
-                let _e469 = phi_649_;
+                let _e469 = phi_608_;
                 let _e470 = bitcast<u32>(_e466);
                 let _e472 = (_e428 + 1i);
                 let _e473 = (_e437 + 1i);
                 if (_e472 > 0i) {
-                    phi_658_ = _e472;
+                    phi_617_ = _e472;
                 } else {
-                    phi_658_ = 0i;
+                    phi_617_ = 0i;
                 }
-                let _e476 = phi_658_;
+                let _e476 = phi_617_;
                 if (_e473 > 0i) {
-                    phi_663_ = _e473;
+                    phi_622_ = _e473;
                 } else {
-                    phi_663_ = 0i;
+                    phi_622_ = 0i;
                 }
-                let _e479 = phi_663_;
+                let _e479 = phi_622_;
                 if (_e476 < _e457) {
-                    phi_668_ = _e476;
+                    phi_627_ = _e476;
                 } else {
-                    phi_668_ = _e457;
+                    phi_627_ = _e457;
                 }
-                let _e482 = phi_668_;
+                let _e482 = phi_627_;
                 if (_e479 < _e457) {
-                    phi_673_ = _e479;
+                    phi_632_ = _e479;
                 } else {
-                    phi_673_ = _e457;
+                    phi_632_ = _e457;
                 }
-                let _e485 = phi_673_;
+                let _e485 = phi_632_;
                 let _e486 = bitcast<u32>(_e482);
                 let _e488 = (bitcast<u32>(_e469) * _e451);
                 let _e489 = (bitcast<u32>(_e485) * _e451);
@@ -1324,30 +1312,30 @@ fn function_() {
                 }
                 let _e509 = map.member[(0u + _e493)];
                 let _e511 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e497, _e501, _e505, _e509), vec4<f32>(((1f - _e418) * (1f - _e419)), (_e418 * (1f - _e419)), ((1f - _e418) * _e419), (_e418 * _e419)), _e358);
-                phi_714_ = evaluate_Verdict(_e511, false);
-                phi_715_ = evaluate_Verdict();
-                phi_716_ = false;
+                phi_673_ = evaluate_Verdict(_e511, false);
+                phi_674_ = evaluate_Verdict();
+                phi_675_ = false;
             } else {
-                phi_714_ = evaluate_Verdict();
-                phi_715_ = evaluate_Verdict(1f, false);
-                phi_716_ = true;
+                phi_673_ = evaluate_Verdict();
+                phi_674_ = evaluate_Verdict(1f, false);
+                phi_675_ = true;
             }
-            let _e515 = phi_714_;
-            let _e517 = phi_715_;
-            let _e519 = phi_716_;
-            phi_717_ = _e517;
-            phi_718_ = _e515;
-            phi_719_ = _e519;
+            let _e515 = phi_673_;
+            let _e517 = phi_674_;
+            let _e519 = phi_675_;
+            phi_676_ = _e517;
+            phi_677_ = _e515;
+            phi_678_ = _e519;
         }
-        let _e521 = phi_717_;
-        let _e523 = phi_718_;
-        let _e525 = phi_719_;
+        let _e521 = phi_676_;
+        let _e523 = phi_677_;
+        let _e525 = phi_678_;
         if _e525 {
-            phi_723_ = _e521;
+            phi_682_ = _e521;
         } else {
-            phi_723_ = _e523;
+            phi_682_ = _e523;
         }
-        let _e527 = phi_723_;
+        let _e527 = phi_682_;
         if (_e64.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;

@@ -58,7 +58,12 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_43 {
+struct lt_bvh_slab_Span {
+    near: f32,
+    far: f32,
+}
+
+struct type_42 {
     member: array<atomic<u32>>,
 }
 
@@ -74,7 +79,7 @@ var<storage> map: type_26;
 var<storage, read_write> visibility: type_26;
 var<private> local_2: u32;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_43;
+var<storage, read_write> list: type_42;
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
@@ -92,636 +97,908 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
             phi_145_ = lt_bvh_traverse_Tree();
             phi_146_ = true;
         }
-        let _e51 = phi_145_;
-        let _e53 = phi_146_;
-        phi_147_ = _e51;
-        phi_148_ = _e53;
+        let _e53 = phi_145_;
+        let _e55 = phi_146_;
+        phi_147_ = _e53;
+        phi_148_ = _e55;
     } else {
         phi_147_ = lt_bvh_traverse_Tree();
         phi_148_ = true;
     }
-    let _e55 = phi_147_;
-    let _e57 = phi_148_;
-    if _e57 {
+    let _e57 = phi_147_;
+    let _e59 = phi_148_;
+    if _e59 {
         phi_153_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_153_ = _e55;
+        phi_153_ = _e57;
     }
-    let _e62 = phi_153_;
-    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
+    let _e64 = phi_153_;
+    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: f32) -> vec4<f32> {
-    var phi_176_: f32;
-    var phi_177_: f32;
-    var phi_178_: f32;
-
-    if ((bitcast<u32>(param_4) & 2147483647u) > 2139095040u) {
-        phi_178_ = param_4;
-    } else {
-        if (param_4 < 0f) {
-            phi_177_ = 0f;
-        } else {
-            if (param_4 > 1f) {
-                phi_176_ = 1f;
-            } else {
-                phi_176_ = param_4;
-            }
-            let _e45 = phi_176_;
-            phi_177_ = _e45;
-        }
-        let _e47 = phi_177_;
-        phi_178_ = _e47;
-    }
-    let _e49 = phi_178_;
-    let _e50 = (_e49 * _e49);
-    return vec4<f32>(_e49, _e50, (_e50 * _e49), (_e50 * _e50));
-}
-
-fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_225_: f32;
-    var phi_226_: f32;
-    var phi_227_: f32;
-    var phi_233_: bool;
+fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_180_: f32;
+    var phi_181_: f32;
+    var phi_182_: f32;
+    var phi_199_: f32;
+    var phi_200_: f32;
+    var phi_201_: f32;
+    var phi_217_: f32;
+    var phi_218_: f32;
+    var phi_219_: f32;
+    var phi_235_: f32;
+    var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_253_: f32;
+    var phi_254_: f32;
     var phi_255_: f32;
-    var phi_256_: f32;
-    var phi_257_: f32;
-    var phi_258_: f32;
-    var phi_259_: bool;
-    var phi_260_: f32;
-    var phi_261_: bool;
-    var phi_299_: vec2<f32>;
-    var phi_333_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
-    var phi_364_: f32;
-    var phi_365_: f32;
-    var phi_366_: f32;
-    var phi_370_: f32;
-    var phi_371_: f32;
-    var phi_372_: f32;
-    var phi_373_: f32;
+    var phi_290_: bool;
+    var phi_291_: bool;
+    var phi_292_: bool;
+    var phi_293_: bool;
+    var phi_294_: bool;
+    var phi_295_: bool;
+    var phi_299_: bool;
+    var phi_610_: f32;
+    var phi_611_: f32;
+    var phi_612_: f32;
+    var phi_629_: f32;
+    var phi_630_: f32;
+    var phi_631_: f32;
+    var phi_648_: f32;
+    var phi_649_: f32;
+    var phi_650_: f32;
+    var phi_667_: f32;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_692_: f32;
+    var phi_693_: f32;
+    var phi_694_: f32;
+    var phi_705_: f32;
+    var phi_720_: f32;
+    var phi_722_: lt_bvh_slab_Span;
+    var phi_780_: f32;
+    var phi_781_: f32;
+    var phi_782_: f32;
+    var phi_783_: f32;
+    var phi_784_: f32;
+    var phi_785_: bool;
+    var phi_789_: f32;
+    var phi_804_: f32;
+    var phi_805_: f32;
+    var phi_806_: f32;
+    var phi_807_: f32;
+    var phi_808_: f32;
+    var phi_809_: f32;
+    var phi_810_: f32;
+    var phi_811_: bool;
+    var phi_812_: f32;
+    var phi_813_: f32;
+    var phi_814_: bool;
+    var phi_818_: f32;
 
-    let _e41 = (*param_5);
-    let _e42 = (1f - _e41);
-    let _e51 = (0.5f * _e41);
-    let _e52 = ((param_6.x * _e42) + _e51);
-    let _e53 = ((param_6.y * _e42) + _e51);
-    let _e55 = ((param_6.w * _e42) + _e51);
-    let _e57 = (_e53 - (_e52 * _e52));
-    let _e59 = (((param_6.z * _e42) + _e51) - (_e52 * _e53));
+    let _e44 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_227_ = param_7;
+        phi_182_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_226_ = 0f;
+            phi_181_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_225_ = 1f;
+                phi_180_ = 1f;
             } else {
-                phi_225_ = param_7;
+                phi_180_ = param_7;
             }
-            let _e71 = phi_225_;
-            phi_226_ = _e71;
+            let _e51 = phi_180_;
+            phi_181_ = _e51;
         }
-        let _e73 = phi_226_;
-        phi_227_ = _e73;
+        let _e53 = phi_181_;
+        phi_182_ = _e53;
     }
-    let _e75 = phi_227_;
-    if (_e52 == _e55) {
-        phi_233_ = (_e52 > 0.5f);
+    let _e55 = phi_182_;
+    let _e56 = (_e55 - 0.00000047683716f);
+    if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
+        phi_201_ = param_5.x;
     } else {
-        phi_233_ = false;
-    }
-    let _e79 = phi_233_;
-    if _e79 {
-        if (_e75 > 0f) {
-            if ((bitcast<u32>(_e52) & 2147483647u) > 2139095040u) {
-                phi_257_ = _e52;
+        if (param_5.x < 0f) {
+            phi_200_ = 0f;
+        } else {
+            if (param_5.x > 1f) {
+                phi_199_ = 1f;
             } else {
-                if (_e52 < 0f) {
-                    phi_256_ = 0f;
+                phi_199_ = param_5.x;
+            }
+            let _e64 = phi_199_;
+            phi_200_ = _e64;
+        }
+        let _e66 = phi_200_;
+        phi_201_ = _e66;
+    }
+    let _e68 = phi_201_;
+    if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
+        phi_219_ = param_5.y;
+    } else {
+        if (param_5.y < 0f) {
+            phi_218_ = 0f;
+        } else {
+            if (param_5.y > 1f) {
+                phi_217_ = 1f;
+            } else {
+                phi_217_ = param_5.y;
+            }
+            let _e76 = phi_217_;
+            phi_218_ = _e76;
+        }
+        let _e78 = phi_218_;
+        phi_219_ = _e78;
+    }
+    let _e80 = phi_219_;
+    if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
+        phi_237_ = param_5.z;
+    } else {
+        if (param_5.z < 0f) {
+            phi_236_ = 0f;
+        } else {
+            if (param_5.z > 1f) {
+                phi_235_ = 1f;
+            } else {
+                phi_235_ = param_5.z;
+            }
+            let _e88 = phi_235_;
+            phi_236_ = _e88;
+        }
+        let _e90 = phi_236_;
+        phi_237_ = _e90;
+    }
+    let _e92 = phi_237_;
+    if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
+        phi_255_ = param_5.w;
+    } else {
+        if (param_5.w < 0f) {
+            phi_254_ = 0f;
+        } else {
+            if (param_5.w > 1f) {
+                phi_253_ = 1f;
+            } else {
+                phi_253_ = param_5.w;
+            }
+            let _e100 = phi_253_;
+            phi_254_ = _e100;
+        }
+        let _e102 = phi_254_;
+        phi_255_ = _e102;
+    }
+    let _e104 = phi_255_;
+    let _e105 = (_e68 - _e56);
+    let _e106 = (_e80 - _e56);
+    let _e107 = (_e92 - _e56);
+    let _e108 = (_e104 - _e56);
+    let _e119 = ((((_e105 * param_6.x) + (_e106 * param_6.y)) + (_e107 * param_6.z)) + (_e108 * param_6.w));
+    if ((bitcast<u32>(_e119) & 2147483647u) > 2139095040u) {
+        phi_812_ = _e119;
+        phi_813_ = f32();
+        phi_814_ = true;
+    } else {
+        if (_e105 >= 0f) {
+            if (_e106 >= 0f) {
+                if (_e107 >= 0f) {
+                    phi_290_ = (_e108 >= 0f);
+                    phi_291_ = false;
                 } else {
-                    if (_e52 > 1f) {
-                        phi_255_ = 1f;
-                    } else {
-                        phi_255_ = _e52;
-                    }
-                    let _e87 = phi_255_;
-                    phi_256_ = _e87;
+                    phi_290_ = bool();
+                    phi_291_ = true;
                 }
-                let _e89 = phi_256_;
-                phi_257_ = _e89;
+                let _e128 = phi_290_;
+                let _e130 = phi_291_;
+                phi_292_ = _e128;
+                phi_293_ = _e130;
+            } else {
+                phi_292_ = bool();
+                phi_293_ = true;
             }
-            let _e91 = phi_257_;
-            phi_258_ = _e91;
-            phi_259_ = false;
+            let _e132 = phi_292_;
+            let _e134 = phi_293_;
+            phi_294_ = _e132;
+            phi_295_ = _e134;
         } else {
-            phi_258_ = f32();
-            phi_259_ = true;
+            phi_294_ = bool();
+            phi_295_ = true;
         }
-        let _e93 = phi_258_;
-        let _e95 = phi_259_;
-        phi_260_ = _e93;
-        phi_261_ = _e95;
-    } else {
-        phi_260_ = f32();
-        phi_261_ = true;
-    }
-    let _e97 = phi_260_;
-    let _e99 = phi_261_;
-    if _e99 {
-        let _e100 = (_e59 / _e57);
-        let _e101 = (_e75 - _e52);
-        let _e107 = (((((_e75 * _e75) - _e53) - (_e100 * _e101)) * _e57) / (((_e55 - (_e53 * _e53)) * _e57) - (_e59 * _e59)));
-        let _e110 = ((_e101 / _e57) - (_e100 * _e107));
-        let _e116 = ((0.5f * _e110) / _e107);
-        let _e119 = ((_e116 * _e116) - (((1f - (_e110 * _e52)) - (_e107 * _e53)) / _e107));
-        if (_e119 >= 0f) {
-            let _e121 = sqrt(_e119);
-            phi_299_ = vec2<f32>((-(_e116) - _e121), (-(_e116) + _e121));
+        let _e136 = phi_294_;
+        let _e138 = phi_295_;
+        if _e138 {
+            phi_299_ = false;
         } else {
-            phi_299_ = vec2(bitcast<f32>((bitcast<u32>(_e119) | 2143289344u)));
+            phi_299_ = _e136;
         }
-        let _e132 = phi_299_;
-        if (_e75 <= _e132.x) {
-            phi_372_ = 1f;
+        let _e140 = phi_299_;
+        if _e140 {
+            phi_809_ = 1f;
+            phi_810_ = f32();
+            phi_811_ = true;
         } else {
-            if (_e75 > _e132.y) {
-                let _e145 = (((_e53 - (_e52 * (_e132.x + _e132.y))) + (_e132.x * _e132.y)) / ((_e75 - _e132.x) * (_e75 - _e132.y)));
-                if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
-                    phi_335_ = _e145;
+            let _e141 = (0.5f * _e44);
+            let _e142 = (1f - _e44);
+            let _e144 = (param_6.x * _e142);
+            let _e146 = (param_6.y * _e142);
+            let _e148 = (param_6.z * _e142);
+            let _e150 = (param_6.w * _e142);
+            let _e151 = -(_e56);
+            let _e152 = (1f - _e56);
+            let _e154 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e68);
+            let _e156 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e80);
+            let _e158 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e92);
+            let _e160 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e104);
+            let _e161 = (_e105 - _e106);
+            let _e162 = (_e106 - _e107);
+            let _e163 = (_e107 - _e108);
+            let _e164 = (_e108 - _e105);
+            let _e165 = (_e161 * _e161);
+            let _e166 = (_e162 * _e162);
+            let _e167 = (_e163 * _e163);
+            let _e168 = (_e164 * _e164);
+            let _e169 = (_e105 - _e107);
+            let _e170 = (_e106 - _e108);
+            let _e171 = (_e107 - _e105);
+            let _e172 = (_e108 - _e106);
+            let _e173 = (_e169 * _e169);
+            let _e174 = (_e170 * _e170);
+            let _e175 = (_e171 * _e171);
+            let _e176 = (_e172 * _e172);
+            let _e181 = ((_e144 * _e146) * _e165);
+            let _e182 = ((_e146 * _e148) * _e166);
+            let _e183 = ((_e148 * _e150) * _e167);
+            let _e184 = ((_e150 * _e144) * _e168);
+            let _e193 = (((0.5f * _e144) * _e148) * _e173);
+            let _e194 = (((0.5f * _e146) * _e150) * _e174);
+            let _e195 = (((0.5f * _e148) * _e144) * _e175);
+            let _e196 = (((0.5f * _e150) * _e146) * _e176);
+            let _e197 = (_e105 * _e106);
+            let _e198 = (_e106 * _e107);
+            let _e199 = (_e107 * _e108);
+            let _e200 = (_e108 * _e105);
+            let _e201 = (_e105 * _e107);
+            let _e202 = (_e106 * _e108);
+            let _e203 = (_e107 * _e105);
+            let _e204 = (_e108 * _e106);
+            let _e205 = (_e181 * _e197);
+            let _e206 = (_e182 * _e198);
+            let _e207 = (_e183 * _e199);
+            let _e208 = (_e184 * _e200);
+            let _e209 = (_e193 * _e201);
+            let _e210 = (_e194 * _e202);
+            let _e211 = (_e195 * _e203);
+            let _e212 = (_e196 * _e204);
+            let _e213 = (_e68 * _e68);
+            let _e214 = (_e80 * _e80);
+            let _e215 = (_e92 * _e92);
+            let _e216 = (_e104 * _e104);
+            let _e217 = (_e154 * _e154);
+            let _e218 = (_e156 * _e156);
+            let _e219 = (_e158 * _e158);
+            let _e220 = (_e160 * _e160);
+            let _e221 = (_e141 * _e144);
+            let _e222 = (_e141 * _e146);
+            let _e223 = (_e141 * _e148);
+            let _e224 = (_e141 * _e150);
+            let _e233 = (((_e221 * _e105) * _e213) * _e151);
+            let _e234 = (((_e222 * _e106) * _e214) * _e151);
+            let _e235 = (((_e223 * _e107) * _e215) * _e151);
+            let _e236 = (((_e224 * _e108) * _e216) * _e151);
+            let _e245 = (((_e221 * _e105) * _e217) * _e152);
+            let _e246 = (((_e222 * _e106) * _e218) * _e152);
+            let _e247 = (((_e223 * _e107) * _e219) * _e152);
+            let _e248 = (((_e224 * _e108) * _e220) * _e152);
+            let _e416 = (((((((_e181 * _e148) * _e166) * _e173) + (_e141 * (((_e181 * ((_e213 * _e214) + (_e217 * _e218))) + (_e193 * ((_e213 * _e215) + (_e217 * _e219)))) + ((_e221 * _e213) * _e217)))) + ((((_e182 * _e150) * _e167) * _e174) + (_e141 * (((_e182 * ((_e214 * _e215) + (_e218 * _e219))) + (_e194 * ((_e214 * _e216) + (_e218 * _e220)))) + ((_e222 * _e214) * _e218))))) + ((((_e183 * _e144) * _e168) * _e175) + (_e141 * (((_e183 * ((_e215 * _e216) + (_e219 * _e220))) + (_e195 * ((_e215 * _e213) + (_e219 * _e217)))) + ((_e223 * _e215) * _e219))))) + ((((_e184 * _e146) * _e165) * _e176) + (_e141 * (((_e184 * ((_e216 * _e213) + (_e220 * _e217))) + (_e196 * ((_e216 * _e214) + (_e220 * _e218)))) + ((_e224 * _e216) * _e220)))));
+            let _e419 = (((_e141 * _e141) * _e151) * _e152);
+            let _e422 = (((((((_e205 * _e197) + (_e209 * _e201)) + (_e105 * ((_e233 * _e151) + (_e245 * _e152)))) + (((_e206 * _e198) + (_e210 * _e202)) + (_e106 * ((_e234 * _e151) + (_e246 * _e152))))) + (((_e207 * _e199) + (_e211 * _e203)) + (_e107 * ((_e235 * _e151) + (_e247 * _e152))))) + (((_e208 * _e200) + (_e212 * _e204)) + (_e108 * ((_e236 * _e151) + (_e248 * _e152))))) + ((_e419 * _e151) * _e152));
+            let _e428 = (_e422 < 0.0000000000000000000000000000000001f);
+            if _e428 {
+                if ((bitcast<u32>(_e105) & 2147483647u) > 2139095040u) {
+                    phi_612_ = _e105;
                 } else {
-                    if (_e145 < 0f) {
-                        phi_334_ = 0f;
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_611_ = 0f;
                     } else {
-                        if (_e145 > 1f) {
-                            phi_333_ = 1f;
+                        if (_e105 < 0f) {
+                            phi_610_ = 0f;
                         } else {
-                            phi_333_ = _e145;
+                            phi_610_ = 1f;
                         }
-                        let _e152 = phi_333_;
-                        phi_334_ = _e152;
+                        let _e437 = phi_610_;
+                        phi_611_ = _e437;
                     }
-                    let _e154 = phi_334_;
-                    phi_335_ = _e154;
+                    let _e439 = phi_611_;
+                    phi_612_ = _e439;
                 }
-                let _e156 = phi_335_;
-                phi_371_ = _e156;
-            } else {
-                if (_e75 > _e132.x) {
-                    let _e167 = (1f - (((_e53 - (_e52 * (_e75 + _e132.y))) + (_e75 * _e132.y)) / ((_e132.x - _e75) * (_e132.x - _e132.y))));
-                    if ((bitcast<u32>(_e167) & 2147483647u) > 2139095040u) {
-                        phi_366_ = _e167;
-                    } else {
-                        if (_e167 < 0f) {
-                            phi_365_ = 0f;
-                        } else {
-                            if (_e167 > 1f) {
-                                phi_364_ = 1f;
-                            } else {
-                                phi_364_ = _e167;
-                            }
-                            let _e174 = phi_364_;
-                            phi_365_ = _e174;
-                        }
-                        let _e176 = phi_365_;
-                        phi_366_ = _e176;
-                    }
-                    let _e178 = phi_366_;
-                    phi_370_ = _e178;
+                let _e441 = phi_612_;
+                if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
+                    phi_631_ = _e106;
                 } else {
-                    phi_370_ = bitcast<f32>((bitcast<u32>(_e132.x) | 2143289344u));
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_630_ = 0f;
+                    } else {
+                        if (_e106 < 0f) {
+                            phi_629_ = 0f;
+                        } else {
+                            phi_629_ = 1f;
+                        }
+                        let _e450 = phi_629_;
+                        phi_630_ = _e450;
+                    }
+                    let _e452 = phi_630_;
+                    phi_631_ = _e452;
                 }
-                let _e183 = phi_370_;
-                phi_371_ = _e183;
+                let _e454 = phi_631_;
+                if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
+                    phi_650_ = _e107;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_649_ = 0f;
+                    } else {
+                        if (_e107 < 0f) {
+                            phi_648_ = 0f;
+                        } else {
+                            phi_648_ = 1f;
+                        }
+                        let _e463 = phi_648_;
+                        phi_649_ = _e463;
+                    }
+                    let _e465 = phi_649_;
+                    phi_650_ = _e465;
+                }
+                let _e467 = phi_650_;
+                if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
+                    phi_669_ = _e108;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_668_ = 0f;
+                    } else {
+                        if (_e108 < 0f) {
+                            phi_667_ = 0f;
+                        } else {
+                            phi_667_ = 1f;
+                        }
+                        let _e476 = phi_667_;
+                        phi_668_ = _e476;
+                    }
+                    let _e478 = phi_668_;
+                    phi_669_ = _e478;
+                }
+                let _e480 = phi_669_;
+                let _e488 = (((((_e441 * _e144) + (_e454 * _e146)) + (_e467 * _e148)) + (_e480 * _e150)) + _e141);
+                if ((bitcast<u32>(_e488) & 2147483647u) > 2139095040u) {
+                    phi_694_ = _e488;
+                } else {
+                    if (_e488 < 0f) {
+                        phi_693_ = 0f;
+                    } else {
+                        if (_e488 > 1f) {
+                            phi_692_ = 1f;
+                        } else {
+                            phi_692_ = _e488;
+                        }
+                        let _e495 = phi_692_;
+                        phi_693_ = _e495;
+                    }
+                    let _e497 = phi_693_;
+                    phi_694_ = _e497;
+                }
+                let _e499 = phi_694_;
+                phi_807_ = _e499;
+                phi_808_ = f32();
+            } else {
+                let _e501 = ((0.5f * -(((((((((_e205 * (_e105 + _e106)) + (_e209 * (_e105 + _e107))) + (_e233 * (_e105 + _e151))) + (_e245 * (_e105 + _e152))) + ((((_e206 * (_e106 + _e107)) + (_e210 * (_e106 + _e108))) + (_e234 * (_e106 + _e151))) + (_e246 * (_e106 + _e152)))) + ((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e105))) + (_e235 * (_e107 + _e151))) + (_e247 * (_e107 + _e152)))) + ((((_e208 * (_e108 + _e105)) + (_e212 * (_e108 + _e106))) + (_e236 * (_e108 + _e151))) + (_e248 * (_e108 + _e152)))) + (_e419 * (_e151 + _e152))))) / _e422);
+                let _e502 = ((((((((_e205 + _e209) + _e233) + _e245) + (((_e206 + _e210) + _e234) + _e246)) + (((_e207 + _e211) + _e235) + _e247)) + (((_e208 + _e212) + _e236) + _e248)) + _e419) / _e422);
+                let _e504 = ((_e501 * _e501) - _e502);
+                if (_e504 > 0f) {
+                    phi_705_ = sqrt(_e504);
+                } else {
+                    phi_705_ = 0f;
+                }
+                let _e508 = phi_705_;
+                if (_e501 > 0f) {
+                    let _e511 = (-(_e501) - _e508);
+                    phi_722_ = lt_bvh_slab_Span(_e511, (_e502 / _e511));
+                } else {
+                    let _e514 = (_e508 - _e501);
+                    if (_e514 > 0f) {
+                        phi_720_ = (_e502 / _e514);
+                    } else {
+                        phi_720_ = 0f;
+                    }
+                    let _e518 = phi_720_;
+                    phi_722_ = lt_bvh_slab_Span(_e518, _e514);
+                }
+                let _e521 = phi_722_;
+                if (_e521.near >= 0f) {
+                    phi_783_ = 1f;
+                    phi_784_ = f32();
+                    phi_785_ = true;
+                } else {
+                    let _e525 = (_e521.far <= 0f);
+                    if _e525 {
+                        phi_781_ = (_e416 / _e422);
+                        phi_782_ = f32();
+                    } else {
+                        let _e536 = (((((_e144 * _e105) + (_e146 * _e106)) + (_e148 * _e107)) + (_e150 * _e108)) + (_e141 * (_e151 + _e152)));
+                        let _e552 = (((((_e144 * (_e105 * _e105)) + (_e146 * (_e106 * _e106))) + (_e148 * (_e107 * _e107))) + (_e150 * (_e108 * _e108))) + (_e141 * ((_e151 * _e151) + (_e152 * _e152))));
+                        if (-(_e521.near) <= _e521.far) {
+                            phi_780_ = (1f - (((_e521.near * _e521.near) * ((_e521.far * _e552) - _e536)) / (_e521.far - _e521.near)));
+                        } else {
+                            phi_780_ = ((_e416 / _e422) + (((_e521.far * _e521.far) * (_e536 - (_e521.near * _e552))) / (_e521.far - _e521.near)));
+                        }
+                        let _e571 = phi_780_;
+                        phi_781_ = f32();
+                        phi_782_ = _e571;
+                    }
+                    let _e573 = phi_781_;
+                    let _e575 = phi_782_;
+                    phi_783_ = _e573;
+                    phi_784_ = _e575;
+                    phi_785_ = _e525;
+                }
+                let _e577 = phi_783_;
+                let _e579 = phi_784_;
+                let _e581 = phi_785_;
+                if _e581 {
+                    phi_789_ = _e577;
+                } else {
+                    phi_789_ = _e579;
+                }
+                let _e583 = phi_789_;
+                if ((bitcast<u32>(_e583) & 2147483647u) > 2139095040u) {
+                    phi_806_ = _e583;
+                } else {
+                    if (_e583 < 0f) {
+                        phi_805_ = 0f;
+                    } else {
+                        if (_e583 > 1f) {
+                            phi_804_ = 1f;
+                        } else {
+                            phi_804_ = _e583;
+                        }
+                        let _e590 = phi_804_;
+                        phi_805_ = _e590;
+                    }
+                    let _e592 = phi_805_;
+                    phi_806_ = _e592;
+                }
+                let _e594 = phi_806_;
+                phi_807_ = f32();
+                phi_808_ = _e594;
             }
-            let _e185 = phi_371_;
-            phi_372_ = _e185;
+            let _e596 = phi_807_;
+            let _e598 = phi_808_;
+            phi_809_ = _e596;
+            phi_810_ = _e598;
+            phi_811_ = _e428;
         }
-        let _e187 = phi_372_;
-        phi_373_ = _e187;
-    } else {
-        phi_373_ = _e97;
+        let _e600 = phi_809_;
+        let _e602 = phi_810_;
+        let _e604 = phi_811_;
+        phi_812_ = _e600;
+        phi_813_ = _e602;
+        phi_814_ = _e604;
     }
-    let _e189 = phi_373_;
-    return _e189;
+    let _e606 = phi_812_;
+    let _e608 = phi_813_;
+    let _e610 = phi_814_;
+    if _e610 {
+        phi_818_ = _e606;
+    } else {
+        phi_818_ = _e608;
+    }
+    let _e612 = phi_818_;
+    return _e612;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_427_: bool;
-    var phi_428_: bool;
-    var phi_429_: bool;
-    var phi_430_: bool;
-    var phi_434_: bool;
-    var phi_478_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_559_: bool;
-    var phi_568_: bool;
-    var phi_577_: bool;
-    var phi_578_: bool;
-    var phi_579_: bool;
-    var phi_580_: bool;
-    var phi_581_: bool;
-    var phi_582_: bool;
-    var phi_583_: bool;
-    var phi_587_: bool;
-    var phi_681_: f32;
-    var phi_684_: f32;
-    var phi_713_: f32;
-    var phi_718_: f32;
-    var phi_719_: bool;
-    var phi_720_: f32;
-    var phi_721_: bool;
-    var phi_725_: f32;
-    var phi_745_: f32;
-    var phi_750_: f32;
-    var phi_751_: bool;
-    var phi_752_: f32;
-    var phi_753_: bool;
-    var phi_757_: f32;
-    var phi_803_: i32;
-    var phi_808_: i32;
-    var phi_813_: i32;
-    var phi_818_: i32;
-    var phi_827_: i32;
-    var phi_832_: i32;
-    var phi_837_: i32;
-    var phi_842_: i32;
-    var phi_937_: bool;
-    var phi_945_: bool;
-    var phi_950_: f32;
-    var phi_953_: evaluate_Verdict;
-    var phi_954_: evaluate_Verdict;
-    var phi_958_: bool;
-    var phi_959_: u32;
-    var phi_965_: u32;
+    var phi_872_: bool;
+    var phi_873_: bool;
+    var phi_874_: bool;
+    var phi_875_: bool;
+    var phi_879_: bool;
+    var phi_923_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_927_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1004_: bool;
+    var phi_1013_: bool;
+    var phi_1022_: bool;
+    var phi_1023_: bool;
+    var phi_1024_: bool;
+    var phi_1025_: bool;
+    var phi_1026_: bool;
+    var phi_1027_: bool;
+    var phi_1028_: bool;
+    var phi_1032_: bool;
+    var phi_1126_: f32;
+    var phi_1129_: f32;
+    var phi_1158_: f32;
+    var phi_1163_: f32;
+    var phi_1164_: bool;
+    var phi_1165_: f32;
+    var phi_1166_: bool;
+    var phi_1170_: f32;
+    var phi_1190_: f32;
+    var phi_1195_: f32;
+    var phi_1196_: bool;
+    var phi_1197_: f32;
+    var phi_1198_: bool;
+    var phi_1202_: f32;
+    var phi_1248_: i32;
+    var phi_1253_: i32;
+    var phi_1258_: i32;
+    var phi_1263_: i32;
+    var phi_1272_: i32;
+    var phi_1277_: i32;
+    var phi_1282_: i32;
+    var phi_1287_: i32;
+    var phi_1334_: bool;
+    var phi_1342_: bool;
+    var phi_1347_: f32;
+    var phi_1350_: evaluate_Verdict;
+    var phi_1351_: evaluate_Verdict;
+    var phi_1355_: bool;
+    var phi_1356_: u32;
+    var phi_1362_: u32;
 
-    let _e39 = id_1;
-    let _e40 = local_2;
-    let _e45 = arrayLength((&map.member));
-    if (_e40 == 0u) {
+    let _e41 = id_1;
+    let _e42 = local_2;
+    let _e47 = arrayLength((&map.member));
+    if (_e42 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    let _e52 = p.member.size[0u];
-    let _e54 = p.member.size[1u];
-    let _e55 = lt_shaders_entry_pixel_index(_e39, _e52, _e54);
-    if (bitcast<i32>(_e55.root) != 0i) {
-        let _e62 = p.member.light;
-        let _e65 = samples.member[_e55.first_primitive].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[_e55.first_primitive].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[_e55.first_primitive].normal[2u];
-                let _e77 = global[2u];
-                phi_427_ = (_e75 == _e77);
-                phi_428_ = false;
+    let _e54 = p.member.size[0u];
+    let _e56 = p.member.size[1u];
+    let _e57 = lt_shaders_entry_pixel_index(_e41, _e54, _e56);
+    if (bitcast<i32>(_e57.root) != 0i) {
+        let _e64 = p.member.light;
+        let _e67 = samples.member[_e57.first_primitive].normal[0u];
+        let _e69 = global[0u];
+        if (_e67 == _e69) {
+            let _e72 = samples.member[_e57.first_primitive].normal[1u];
+            let _e74 = global[1u];
+            if (_e72 == _e74) {
+                let _e77 = samples.member[_e57.first_primitive].normal[2u];
+                let _e79 = global[2u];
+                phi_872_ = (_e77 == _e79);
+                phi_873_ = false;
             } else {
-                phi_427_ = bool();
-                phi_428_ = true;
+                phi_872_ = bool();
+                phi_873_ = true;
             }
-            let _e80 = phi_427_;
-            let _e82 = phi_428_;
-            phi_429_ = _e80;
-            phi_430_ = _e82;
+            let _e82 = phi_872_;
+            let _e84 = phi_873_;
+            phi_874_ = _e82;
+            phi_875_ = _e84;
         } else {
-            phi_429_ = bool();
-            phi_430_ = true;
+            phi_874_ = bool();
+            phi_875_ = true;
         }
-        let _e84 = phi_429_;
-        let _e86 = phi_430_;
-        if _e86 {
-            phi_434_ = false;
+        let _e86 = phi_874_;
+        let _e88 = phi_875_;
+        if _e88 {
+            phi_879_ = false;
         } else {
-            phi_434_ = _e84;
+            phi_879_ = _e86;
         }
-        let _e88 = phi_434_;
-        if !(_e88) {
-            let _e91 = samples.member[_e55.first_primitive].normal;
-            let _e93 = samples.member[_e55.first_primitive].position;
-            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
-                let _e117 = samples.member[_e55.first_primitive].flags;
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_478_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
+        let _e90 = phi_879_;
+        if !(_e90) {
+            let _e93 = samples.member[_e57.first_primitive].normal;
+            let _e95 = samples.member[_e57.first_primitive].position;
+            if ((((_e93.x * (_e64.x - (_e95.x * _e64.w))) + (_e93.y * (_e64.y - (_e95.y * _e64.w)))) + (_e93.z * (_e64.z - (_e95.z * _e64.w)))) > 0f) {
+                let _e119 = samples.member[_e57.first_primitive].flags;
+                let _e127 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e127.unnamed.visibility, false), _e127.unnamed_1);
+                phi_923_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e133.unnamed, ((_e119 & 1u) == 0u));
             } else {
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
-                phi_478_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
+                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e142.unnamed.visibility, false), _e142.unnamed_1);
+                phi_923_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e148.unnamed, true);
             }
-            let _e151 = phi_478_;
-            phi_482_ = _e151;
+            let _e153 = phi_923_;
+            phi_927_ = _e153;
         } else {
-            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-            phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
+            let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e159.unnamed.visibility, false), _e159.unnamed_1);
+            phi_927_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e165.unnamed, true);
         }
-        let _e168 = phi_482_;
-        if _e168.unnamed_1 {
-            phi_954_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
+        let _e170 = phi_927_;
+        if _e170.unnamed_1 {
+            phi_1351_ = evaluate_Verdict(_e170.unnamed.visibility, _e170.unnamed.is_doubted);
         } else {
-            let _e176 = samples.member[_e55.first_primitive].position;
-            let _e182 = p.member.projection.row_w;
-            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
-            let _e195 = p.member.projection.row_x;
-            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
-            let _e209 = p.member.projection.row_y;
-            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
-            let _e223 = p.member.projection.row_z;
-            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
-            if (_e193 > 0f) {
-                if (_e207 >= 0f) {
-                    phi_559_ = (_e207 <= 1f);
+            let _e178 = samples.member[_e57.first_primitive].position;
+            let _e184 = p.member.projection.row_w;
+            let _e195 = ((((_e184.x * _e178.x) + (_e184.y * _e178.y)) + (_e184.z * _e178.z)) + (_e184.w * 1f));
+            let _e197 = p.member.projection.row_x;
+            let _e209 = (((((_e197.x * _e178.x) + (_e197.y * _e178.y)) + (_e197.z * _e178.z)) + (_e197.w * 1f)) / _e195);
+            let _e211 = p.member.projection.row_y;
+            let _e223 = (((((_e211.x * _e178.x) + (_e211.y * _e178.y)) + (_e211.z * _e178.z)) + (_e211.w * 1f)) / _e195);
+            let _e225 = p.member.projection.row_z;
+            let _e236 = ((((_e225.x * _e178.x) + (_e225.y * _e178.y)) + (_e225.z * _e178.z)) + (_e225.w * 1f));
+            if (_e195 > 0f) {
+                if (_e209 >= 0f) {
+                    phi_1004_ = (_e209 <= 1f);
                 } else {
-                    phi_559_ = false;
+                    phi_1004_ = false;
                 }
-                let _e239 = phi_559_;
-                if _e239 {
-                    if (_e221 >= 0f) {
-                        phi_568_ = (_e221 <= 1f);
+                let _e241 = phi_1004_;
+                if _e241 {
+                    if (_e223 >= 0f) {
+                        phi_1013_ = (_e223 <= 1f);
                     } else {
-                        phi_568_ = false;
+                        phi_1013_ = false;
                     }
-                    let _e243 = phi_568_;
-                    if _e243 {
-                        if (_e234 >= 0f) {
-                            phi_577_ = (_e234 <= 1f);
+                    let _e245 = phi_1013_;
+                    if _e245 {
+                        if (_e236 >= 0f) {
+                            phi_1022_ = (_e236 <= 1f);
                         } else {
-                            phi_577_ = false;
+                            phi_1022_ = false;
                         }
-                        let _e247 = phi_577_;
-                        phi_578_ = _e247;
-                        phi_579_ = false;
+                        let _e249 = phi_1022_;
+                        phi_1023_ = _e249;
+                        phi_1024_ = false;
                     } else {
-                        phi_578_ = bool();
-                        phi_579_ = true;
+                        phi_1023_ = bool();
+                        phi_1024_ = true;
                     }
-                    let _e249 = phi_578_;
-                    let _e251 = phi_579_;
-                    phi_580_ = _e249;
-                    phi_581_ = _e251;
+                    let _e251 = phi_1023_;
+                    let _e253 = phi_1024_;
+                    phi_1025_ = _e251;
+                    phi_1026_ = _e253;
                 } else {
-                    phi_580_ = bool();
-                    phi_581_ = true;
+                    phi_1025_ = bool();
+                    phi_1026_ = true;
                 }
-                let _e253 = phi_580_;
-                let _e255 = phi_581_;
-                phi_582_ = _e253;
-                phi_583_ = _e255;
+                let _e255 = phi_1025_;
+                let _e257 = phi_1026_;
+                phi_1027_ = _e255;
+                phi_1028_ = _e257;
             } else {
-                phi_582_ = bool();
-                phi_583_ = true;
+                phi_1027_ = bool();
+                phi_1028_ = true;
             }
-            let _e257 = phi_582_;
-            let _e259 = phi_583_;
-            if _e259 {
-                phi_587_ = false;
-            } else {
-                phi_587_ = _e257;
-            }
-            let _e261 = phi_587_;
+            let _e259 = phi_1027_;
+            let _e261 = phi_1028_;
             if _e261 {
-                if (0f > 0f) {
-                    let _e264 = samples.member[_e55.first_primitive].normal;
-                    let _e266 = p.member.map_size;
-                    let _e269 = p.member.projection.row_x;
-                    let _e291 = p.member.projection.row_y;
-                    let _e313 = p.member.projection.row_z;
-                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
-                    if (_e340 < 0.002f) {
-                        phi_681_ = _e340;
-                    } else {
-                        phi_681_ = 0.002f;
-                    }
-                    let _e343 = phi_681_;
-                    phi_684_ = (_e234 - (0f * _e343));
-                } else {
-                    phi_684_ = _e234;
-                }
-                let _e347 = phi_684_;
-                let _e349 = p.member.map_size;
-                let _e350 = f32(_e349);
-                let _e353 = ((_e207 * _e350) - 0.5f);
-                let _e354 = ((_e221 * _e350) - 0.5f);
-                if (_e353 > -8388608f) {
-                    let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
-                    if (_e366 > _e353) {
-                        phi_713_ = 1f;
-                    } else {
-                        phi_713_ = 0f;
-                    }
-                    let _e369 = phi_713_;
-                    if (_e353 < 8388608f) {
-                        phi_718_ = (_e366 - _e369);
-                        phi_719_ = false;
-                    } else {
-                        phi_718_ = f32();
-                        phi_719_ = true;
-                    }
-                    let _e372 = phi_718_;
-                    let _e374 = phi_719_;
-                    phi_720_ = _e372;
-                    phi_721_ = _e374;
-                } else {
-                    phi_720_ = f32();
-                    phi_721_ = true;
-                }
-                let _e376 = phi_720_;
-                let _e378 = phi_721_;
-                if _e378 {
-                    phi_725_ = _e353;
-                } else {
-                    phi_725_ = _e376;
-                }
-                let _e380 = phi_725_;
-                if (_e354 > -8388608f) {
-                    let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
-                    if (_e392 > _e354) {
-                        phi_745_ = 1f;
-                    } else {
-                        phi_745_ = 0f;
-                    }
-                    let _e395 = phi_745_;
-                    if (_e354 < 8388608f) {
-                        phi_750_ = (_e392 - _e395);
-                        phi_751_ = false;
-                    } else {
-                        phi_750_ = f32();
-                        phi_751_ = true;
-                    }
-                    let _e398 = phi_750_;
-                    let _e400 = phi_751_;
-                    phi_752_ = _e398;
-                    phi_753_ = _e400;
-                } else {
-                    phi_752_ = f32();
-                    phi_753_ = true;
-                }
-                let _e402 = phi_752_;
-                let _e404 = phi_753_;
-                if _e404 {
-                    phi_757_ = _e354;
-                } else {
-                    phi_757_ = _e402;
-                }
-                let _e406 = phi_757_;
-                let _e407 = (_e353 - _e380);
-                let _e408 = (_e354 - _e406);
-                let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
-                let _e426 = select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406));
-                let _e429 = ((1f - _e407) * (1f - _e408));
-                let _e431 = (_e407 * (1f - _e408));
-                let _e433 = ((1f - _e407) * _e408);
-                let _e434 = (_e407 * _e408);
-                let _e436 = p.member.test;
-                let _e437 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e436);
-                let _e439 = p.member.map_size;
-                local_1 = _e437;
-                let _e441 = (bitcast<i32>(_e439) - 1i);
-                if (_e417 > 0i) {
-                    phi_803_ = _e417;
-                } else {
-                    phi_803_ = 0i;
-                }
-                let _e444 = phi_803_;
-                if (_e426 > 0i) {
-                    phi_808_ = _e426;
-                } else {
-                    phi_808_ = 0i;
-                }
-                let _e447 = phi_808_;
-                if (_e444 < _e441) {
-                    phi_813_ = _e444;
-                } else {
-                    phi_813_ = _e441;
-                }
-                let _e450 = phi_813_;
-                if (_e447 < _e441) {
-                    phi_818_ = _e447;
-                } else {
-                    phi_818_ = _e441;
-                }
-                let _e453 = phi_818_;
-                let _e454 = bitcast<u32>(_e450);
-                let _e456 = (_e417 + 1i);
-                let _e457 = (_e426 + 1i);
-                if (_e456 > 0i) {
-                    phi_827_ = _e456;
-                } else {
-                    phi_827_ = 0i;
-                }
-                let _e460 = phi_827_;
-                if (_e457 > 0i) {
-                    phi_832_ = _e457;
-                } else {
-                    phi_832_ = 0i;
-                }
-                let _e463 = phi_832_;
-                if (_e460 < _e441) {
-                    phi_837_ = _e460;
-                } else {
-                    phi_837_ = _e441;
-                }
-                let _e466 = phi_837_;
-                if (_e463 < _e441) {
-                    phi_842_ = _e463;
-                } else {
-                    phi_842_ = _e441;
-                }
-                let _e469 = phi_842_;
-                let _e470 = bitcast<u32>(_e466);
-                let _e472 = (bitcast<u32>(_e453) * _e439);
-                let _e473 = (bitcast<u32>(_e469) * _e439);
-                let _e474 = (_e472 + _e454);
-                let _e475 = (_e472 + _e470);
-                let _e476 = (_e473 + _e454);
-                let _e477 = (_e473 + _e470);
-                if (_e474 < _e45) {
-                } else {
-                    return;
-                }
-                let _e481 = map.member[(0u + _e474)];
-                if (_e475 < _e45) {
-                } else {
-                    return;
-                }
-                let _e485 = map.member[(0u + _e475)];
-                if (_e476 < _e45) {
-                } else {
-                    return;
-                }
-                let _e489 = map.member[(0u + _e476)];
-                if (_e477 < _e45) {
-                } else {
-                    return;
-                }
-                let _e493 = map.member[(0u + _e477)];
-                let _e494 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e481);
-                let _e495 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e485);
-                let _e496 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e489);
-                let _e497 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e493);
-                let _e543 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e494.x * _e429) + (_e495.x * _e431)) + (_e496.x * _e433)) + (_e497.x * _e434)), ((((_e494.y * _e429) + (_e495.y * _e431)) + (_e496.y * _e433)) + (_e497.y * _e434)), ((((_e494.z * _e429) + (_e495.z * _e431)) + (_e496.z * _e433)) + (_e497.z * _e434)), ((((_e494.w * _e429) + (_e495.w * _e431)) + (_e496.w * _e433)) + (_e497.w * _e434))), _e347);
-                let _e545 = p.member.epsilon;
-                if (_e543 <= _e545) {
-                    phi_937_ = true;
-                } else {
-                    phi_937_ = (_e543 >= (1f - _e545));
-                }
-                let _e550 = phi_937_;
-                if ((bitcast<u32>(_e543) & 2147483647u) > 2139095040u) {
-                    phi_945_ = true;
-                } else {
-                    phi_945_ = !(_e550);
-                }
-                let _e556 = phi_945_;
-                if (_e543 > 0.5f) {
-                    phi_950_ = 1f;
-                } else {
-                    phi_950_ = 0f;
-                }
-                let _e559 = phi_950_;
-                phi_953_ = evaluate_Verdict(_e559, _e556);
+                phi_1032_ = false;
             } else {
-                phi_953_ = evaluate_Verdict(1f, true);
+                phi_1032_ = _e259;
             }
-            let _e563 = phi_953_;
-            phi_954_ = _e563;
+            let _e263 = phi_1032_;
+            if _e263 {
+                if (0f > 0f) {
+                    let _e266 = samples.member[_e57.first_primitive].normal;
+                    let _e268 = p.member.map_size;
+                    let _e271 = p.member.projection.row_x;
+                    let _e293 = p.member.projection.row_y;
+                    let _e315 = p.member.projection.row_z;
+                    let _e342 = ((abs(((((_e271.x * _e266.x) + (_e271.y * _e266.y)) + (_e271.z * _e266.z)) / (((_e271.x * _e271.x) + (_e271.y * _e271.y)) + (_e271.z * _e271.z)))) + abs(((((_e293.x * _e266.x) + (_e293.y * _e266.y)) + (_e293.z * _e266.z)) / (((_e293.x * _e293.x) + (_e293.y * _e293.y)) + (_e293.z * _e293.z))))) / (abs(((((_e315.x * _e266.x) + (_e315.y * _e266.y)) + (_e315.z * _e266.z)) / (((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)))) * f32(_e268)));
+                    if (_e342 < 0.002f) {
+                        phi_1126_ = _e342;
+                    } else {
+                        phi_1126_ = 0.002f;
+                    }
+                    let _e345 = phi_1126_;
+                    phi_1129_ = (_e236 - (0f * _e345));
+                } else {
+                    phi_1129_ = _e236;
+                }
+                let _e349 = phi_1129_;
+                let _e351 = p.member.map_size;
+                let _e352 = f32(_e351);
+                let _e355 = ((_e209 * _e352) - 0.5f);
+                let _e356 = ((_e223 * _e352) - 0.5f);
+                if (_e355 > -8388608f) {
+                    let _e368 = f32(select(0i, select(select(i32(_e355), i32(-2147483648), (_e355 < bitcast<f32>(3472883712u))), 2147483647i, (_e355 > bitcast<f32>(1325400063u))), (_e355 == _e355)));
+                    if (_e368 > _e355) {
+                        phi_1158_ = 1f;
+                    } else {
+                        phi_1158_ = 0f;
+                    }
+                    let _e371 = phi_1158_;
+                    if (_e355 < 8388608f) {
+                        phi_1163_ = (_e368 - _e371);
+                        phi_1164_ = false;
+                    } else {
+                        phi_1163_ = f32();
+                        phi_1164_ = true;
+                    }
+                    let _e374 = phi_1163_;
+                    let _e376 = phi_1164_;
+                    phi_1165_ = _e374;
+                    phi_1166_ = _e376;
+                } else {
+                    phi_1165_ = f32();
+                    phi_1166_ = true;
+                }
+                let _e378 = phi_1165_;
+                let _e380 = phi_1166_;
+                if _e380 {
+                    phi_1170_ = _e355;
+                } else {
+                    phi_1170_ = _e378;
+                }
+                let _e382 = phi_1170_;
+                if (_e356 > -8388608f) {
+                    let _e394 = f32(select(0i, select(select(i32(_e356), i32(-2147483648), (_e356 < bitcast<f32>(3472883712u))), 2147483647i, (_e356 > bitcast<f32>(1325400063u))), (_e356 == _e356)));
+                    if (_e394 > _e356) {
+                        phi_1190_ = 1f;
+                    } else {
+                        phi_1190_ = 0f;
+                    }
+                    let _e397 = phi_1190_;
+                    if (_e356 < 8388608f) {
+                        phi_1195_ = (_e394 - _e397);
+                        phi_1196_ = false;
+                    } else {
+                        phi_1195_ = f32();
+                        phi_1196_ = true;
+                    }
+                    let _e400 = phi_1195_;
+                    let _e402 = phi_1196_;
+                    phi_1197_ = _e400;
+                    phi_1198_ = _e402;
+                } else {
+                    phi_1197_ = f32();
+                    phi_1198_ = true;
+                }
+                let _e404 = phi_1197_;
+                let _e406 = phi_1198_;
+                if _e406 {
+                    phi_1202_ = _e356;
+                } else {
+                    phi_1202_ = _e404;
+                }
+                let _e408 = phi_1202_;
+                let _e409 = (_e355 - _e382);
+                let _e410 = (_e356 - _e408);
+                let _e419 = select(0i, select(select(i32(_e382), i32(-2147483648), (_e382 < bitcast<f32>(3472883712u))), 2147483647i, (_e382 > bitcast<f32>(1325400063u))), (_e382 == _e382));
+                let _e428 = select(0i, select(select(i32(_e408), i32(-2147483648), (_e408 < bitcast<f32>(3472883712u))), 2147483647i, (_e408 > bitcast<f32>(1325400063u))), (_e408 == _e408));
+                let _e439 = p.member.test;
+                let _e440 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e439);
+                let _e442 = p.member.map_size;
+                local_1 = _e440;
+                let _e444 = (bitcast<i32>(_e442) - 1i);
+                if (_e419 > 0i) {
+                    phi_1248_ = _e419;
+                } else {
+                    phi_1248_ = 0i;
+                }
+                let _e447 = phi_1248_;
+                if (_e428 > 0i) {
+                    phi_1253_ = _e428;
+                } else {
+                    phi_1253_ = 0i;
+                }
+                let _e450 = phi_1253_;
+                if (_e447 < _e444) {
+                    phi_1258_ = _e447;
+                } else {
+                    phi_1258_ = _e444;
+                }
+                let _e453 = phi_1258_;
+                if (_e450 < _e444) {
+                    phi_1263_ = _e450;
+                } else {
+                    phi_1263_ = _e444;
+                }
+                let _e456 = phi_1263_;
+                let _e457 = bitcast<u32>(_e453);
+                let _e459 = (_e419 + 1i);
+                let _e460 = (_e428 + 1i);
+                if (_e459 > 0i) {
+                    phi_1272_ = _e459;
+                } else {
+                    phi_1272_ = 0i;
+                }
+                let _e463 = phi_1272_;
+                if (_e460 > 0i) {
+                    phi_1277_ = _e460;
+                } else {
+                    phi_1277_ = 0i;
+                }
+                let _e466 = phi_1277_;
+                if (_e463 < _e444) {
+                    phi_1282_ = _e463;
+                } else {
+                    phi_1282_ = _e444;
+                }
+                let _e469 = phi_1282_;
+                if (_e466 < _e444) {
+                    phi_1287_ = _e466;
+                } else {
+                    phi_1287_ = _e444;
+                }
+                let _e472 = phi_1287_;
+                let _e473 = bitcast<u32>(_e469);
+                let _e475 = (bitcast<u32>(_e456) * _e442);
+                let _e476 = (bitcast<u32>(_e472) * _e442);
+                let _e477 = (_e475 + _e457);
+                let _e478 = (_e475 + _e473);
+                let _e479 = (_e476 + _e457);
+                let _e480 = (_e476 + _e473);
+                if (_e477 < _e47) {
+                } else {
+                    return;
+                }
+                let _e484 = map.member[(0u + _e477)];
+                if (_e478 < _e47) {
+                } else {
+                    return;
+                }
+                let _e488 = map.member[(0u + _e478)];
+                if (_e479 < _e47) {
+                } else {
+                    return;
+                }
+                let _e492 = map.member[(0u + _e479)];
+                if (_e480 < _e47) {
+                } else {
+                    return;
+                }
+                let _e496 = map.member[(0u + _e480)];
+                let _e498 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e484, _e488, _e492, _e496), vec4<f32>(((1f - _e409) * (1f - _e410)), (_e409 * (1f - _e410)), ((1f - _e409) * _e410), (_e409 * _e410)), _e349);
+                let _e500 = p.member.epsilon;
+                if (_e498 <= _e500) {
+                    phi_1334_ = true;
+                } else {
+                    phi_1334_ = (_e498 >= (1f - _e500));
+                }
+                let _e505 = phi_1334_;
+                if ((bitcast<u32>(_e498) & 2147483647u) > 2139095040u) {
+                    phi_1342_ = true;
+                } else {
+                    phi_1342_ = !(_e505);
+                }
+                let _e511 = phi_1342_;
+                if (_e498 > 0.5f) {
+                    phi_1347_ = 1f;
+                } else {
+                    phi_1347_ = 0f;
+                }
+                let _e514 = phi_1347_;
+                phi_1350_ = evaluate_Verdict(_e514, _e511);
+            } else {
+                phi_1350_ = evaluate_Verdict(1f, true);
+            }
+            let _e518 = phi_1350_;
+            phi_1351_ = _e518;
         }
-        let _e565 = phi_954_;
-        visibility.member[_e55.first_primitive] = _e565.visibility;
-        phi_958_ = _e565.is_doubted;
-        phi_959_ = _e55.first_primitive;
+        let _e520 = phi_1351_;
+        visibility.member[_e57.first_primitive] = _e520.visibility;
+        phi_1355_ = _e520.is_doubted;
+        phi_1356_ = _e57.first_primitive;
     } else {
-        phi_958_ = false;
-        phi_959_ = 0u;
+        phi_1355_ = false;
+        phi_1356_ = 0u;
     }
-    let _e570 = phi_958_;
-    let _e572 = phi_959_;
-    if _e570 {
-        let _e574 = atomicAdd((&shared_[0u]), 1u);
-        phi_965_ = _e574;
+    let _e525 = phi_1355_;
+    let _e527 = phi_1356_;
+    if _e525 {
+        let _e529 = atomicAdd((&shared_[0u]), 1u);
+        phi_1362_ = _e529;
     } else {
-        phi_965_ = 0u;
+        phi_1362_ = 0u;
     }
-    let _e576 = phi_965_;
+    let _e531 = phi_1362_;
     workgroupBarrier();
-    if (_e40 == 0u) {
-        let _e580 = atomicLoad((&shared_[0u]));
-        let _e581 = atomicAdd((&list.member[3u]), _e580);
-        atomicStore((&shared_[1u]), _e581);
+    if (_e42 == 0u) {
+        let _e535 = atomicLoad((&shared_[0u]));
+        let _e536 = atomicAdd((&list.member[3u]), _e535);
+        atomicStore((&shared_[1u]), _e536);
     }
     workgroupBarrier();
-    if _e570 {
-        let _e584 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e584) + _e576)]), _e572);
+    if _e525 {
+        let _e539 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e539) + _e531)]), _e527);
     }
     return;
 }

@@ -54,11 +54,9 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct hankel_HankelFactors {
-    moments: vec4<f32>,
-    d22_: f32,
-    l32_d22_: f32,
-    d33_d22_: f32,
+struct lt_bvh_slab_Span {
+    near: f32,
+    far: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -73,1186 +71,1106 @@ var<storage> map: type_21;
 var<storage, read_write> visibility: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_139_: lt_bvh_traverse_Tree;
-    var phi_140_: bool;
-    var phi_141_: lt_bvh_traverse_Tree;
-    var phi_142_: bool;
-    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_130_: lt_bvh_traverse_Tree;
+    var phi_131_: bool;
+    var phi_132_: lt_bvh_traverse_Tree;
+    var phi_133_: bool;
+    var phi_138_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_139_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_140_ = false;
+            phi_130_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_131_ = false;
         } else {
-            phi_139_ = lt_bvh_traverse_Tree();
-            phi_140_ = true;
+            phi_130_ = lt_bvh_traverse_Tree();
+            phi_131_ = true;
         }
-        let _e49 = phi_139_;
-        let _e51 = phi_140_;
-        phi_141_ = _e49;
-        phi_142_ = _e51;
+        let _e51 = phi_130_;
+        let _e53 = phi_131_;
+        phi_132_ = _e51;
+        phi_133_ = _e53;
     } else {
-        phi_141_ = lt_bvh_traverse_Tree();
-        phi_142_ = true;
+        phi_132_ = lt_bvh_traverse_Tree();
+        phi_133_ = true;
     }
-    let _e53 = phi_141_;
-    let _e55 = phi_142_;
-    if _e55 {
-        phi_147_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e55 = phi_132_;
+    let _e57 = phi_133_;
+    if _e57 {
+        phi_138_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_147_ = _e53;
+        phi_138_ = _e55;
     }
-    let _e60 = phi_147_;
-    return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
+    let _e62 = phi_138_;
+    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
     return param_3.x;
 }
 
-fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: f32) -> vec4<f32> {
-    var phi_170_: f32;
-    var phi_171_: f32;
-    var phi_172_: f32;
-
-    if ((bitcast<u32>(param_4) & 2147483647u) > 2139095040u) {
-        phi_172_ = param_4;
-    } else {
-        if (param_4 < 0f) {
-            phi_171_ = 0f;
-        } else {
-            if (param_4 > 1f) {
-                phi_170_ = 1f;
-            } else {
-                phi_170_ = param_4;
-            }
-            let _e43 = phi_170_;
-            phi_171_ = _e43;
-        }
-        let _e45 = phi_171_;
-        phi_172_ = _e45;
-    }
-    let _e47 = phi_172_;
-    let _e48 = (_e47 * _e47);
-    return vec4<f32>(_e47, _e48, (_e48 * _e47), (_e48 * _e48));
-}
-
-fn lt_math_hausdorff_cubic_mass(param_5: vec4<f32>, param_6: f32, param_7: f32, param_8: f32, param_9: f32) -> f32 {
-    return ((((param_5.z - (((param_7 + param_8) + param_9) * param_5.y)) + ((((param_7 * param_8) + (param_7 * param_9)) + (param_8 * param_9)) * param_5.x)) - ((param_7 * param_8) * param_9)) / (((param_6 - param_7) * (param_6 - param_8)) * (param_6 - param_9)));
-}
-
-fn lt_math_hausdorff_endpoint_upper_bound(param_10: ptr<function, hankel_HankelFactors>, param_11: f32) -> f32 {
-    var phi_1514_: f32;
-    var phi_1515_: f32;
-    var phi_1516_: f32;
-    var phi_1543_: f32;
-    var phi_1544_: f32;
-    var phi_1545_: f32;
-    var phi_1546_: f32;
-    var phi_1547_: bool;
-    var phi_1548_: f32;
-    var phi_1549_: bool;
-    var phi_1577_: f32;
-    var phi_1578_: f32;
-    var phi_1579_: f32;
-    var phi_1580_: f32;
-    var phi_1581_: bool;
-    var phi_1582_: f32;
-    var phi_1583_: bool;
-    var phi_1590_: f32;
-    var phi_1591_: f32;
-    var phi_1592_: f32;
-    var phi_1593_: f32;
-
-    let _e39 = (*param_10).moments;
-    if (param_11 < 0.0001f) {
-        phi_1593_ = 1f;
-    } else {
-        let _e48 = ((_e39.z - ((1f + param_11) * _e39.y)) + (param_11 * _e39.x));
-        let _e57 = (((_e39.w - ((1f + param_11) * _e39.z)) + (param_11 * _e39.y)) / _e48);
-        if (abs(_e48) <= 0.00000047683716f) {
-            let _e71 = (1f - (((_e39.y - (_e39.x * (param_11 + 1f))) + (param_11 * 1f)) / ((0f - param_11) * (0f - 1f))));
-            if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-                phi_1516_ = _e71;
-            } else {
-                if (_e71 < 0f) {
-                    phi_1515_ = 0f;
-                } else {
-                    if (_e71 > 1f) {
-                        phi_1514_ = 1f;
-                    } else {
-                        phi_1514_ = _e71;
-                    }
-                    let _e78 = phi_1514_;
-                    phi_1515_ = _e78;
-                }
-                let _e80 = phi_1515_;
-                phi_1516_ = _e80;
-            }
-            let _e82 = phi_1516_;
-            phi_1592_ = _e82;
-        } else {
-            if (_e57 > 0f) {
-                if (_e57 < param_11) {
-                    let _e85 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_11, 1f);
-                    let _e87 = lt_math_hausdorff_cubic_mass(_e39, _e57, 0f, param_11, 1f);
-                    let _e88 = ((1f - _e85) - _e87);
-                    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
-                        phi_1545_ = _e88;
-                    } else {
-                        if (_e88 < 0f) {
-                            phi_1544_ = 0f;
-                        } else {
-                            if (_e88 > 1f) {
-                                phi_1543_ = 1f;
-                            } else {
-                                phi_1543_ = _e88;
-                            }
-                            let _e95 = phi_1543_;
-                            phi_1544_ = _e95;
-                        }
-                        let _e97 = phi_1544_;
-                        phi_1545_ = _e97;
-                    }
-                    let _e99 = phi_1545_;
-                    phi_1546_ = _e99;
-                    phi_1547_ = false;
-                } else {
-                    phi_1546_ = f32();
-                    phi_1547_ = true;
-                }
-                let _e101 = phi_1546_;
-                let _e103 = phi_1547_;
-                phi_1548_ = _e101;
-                phi_1549_ = _e103;
-            } else {
-                phi_1548_ = f32();
-                phi_1549_ = true;
-            }
-            let _e105 = phi_1548_;
-            let _e107 = phi_1549_;
-            if _e107 {
-                if (_e57 > param_11) {
-                    if (_e57 < 1f) {
-                        let _e110 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_11, 1f);
-                        let _e111 = (1f - _e110);
-                        if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                            phi_1579_ = _e111;
-                        } else {
-                            if (_e111 < 0f) {
-                                phi_1578_ = 0f;
-                            } else {
-                                if (_e111 > 1f) {
-                                    phi_1577_ = 1f;
-                                } else {
-                                    phi_1577_ = _e111;
-                                }
-                                let _e118 = phi_1577_;
-                                phi_1578_ = _e118;
-                            }
-                            let _e120 = phi_1578_;
-                            phi_1579_ = _e120;
-                        }
-                        let _e122 = phi_1579_;
-                        phi_1580_ = _e122;
-                        phi_1581_ = false;
-                    } else {
-                        phi_1580_ = f32();
-                        phi_1581_ = true;
-                    }
-                    let _e124 = phi_1580_;
-                    let _e126 = phi_1581_;
-                    phi_1582_ = _e124;
-                    phi_1583_ = _e126;
-                } else {
-                    phi_1582_ = f32();
-                    phi_1583_ = true;
-                }
-                let _e128 = phi_1582_;
-                let _e130 = phi_1583_;
-                if _e130 {
-                    phi_1590_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
-                } else {
-                    phi_1590_ = _e128;
-                }
-                let _e135 = phi_1590_;
-                phi_1591_ = _e135;
-            } else {
-                phi_1591_ = _e105;
-            }
-            let _e137 = phi_1591_;
-            phi_1592_ = _e137;
-        }
-        let _e139 = phi_1592_;
-        phi_1593_ = _e139;
-    }
-    let _e141 = phi_1593_;
-    return _e141;
-}
-
-fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_12: ptr<function, f32>, param_13: vec4<f32>, param_14: f32) -> f32 {
-    var local: hankel_HankelFactors;
-    var phi_801_: f32;
-    var phi_802_: f32;
-    var phi_803_: f32;
-    var phi_815_: bool;
-    var phi_830_: bool;
-    var phi_855_: f32;
-    var phi_856_: f32;
-    var phi_857_: f32;
-    var phi_858_: f32;
-    var phi_859_: bool;
-    var phi_860_: f32;
-    var phi_861_: bool;
-    var phi_917_: vec2<f32>;
-    var phi_955_: f32;
-    var phi_956_: f32;
-    var phi_957_: f32;
-    var phi_990_: f32;
-    var phi_991_: f32;
-    var phi_992_: f32;
-    var phi_996_: f32;
-    var phi_997_: f32;
-    var phi_998_: f32;
-    var phi_999_: f32;
-    var phi_1052_: vec2<f32>;
-    var phi_1074_: bool;
-    var phi_1099_: f32;
-    var phi_1100_: f32;
-    var phi_1101_: f32;
-    var phi_1102_: f32;
-    var phi_1103_: bool;
-    var phi_1104_: f32;
-    var phi_1105_: bool;
-    var phi_1161_: vec2<f32>;
-    var phi_1199_: f32;
-    var phi_1200_: f32;
-    var phi_1201_: f32;
-    var phi_1234_: f32;
-    var phi_1235_: f32;
-    var phi_1236_: f32;
-    var phi_1240_: f32;
-    var phi_1241_: f32;
-    var phi_1242_: f32;
-    var phi_1243_: f32;
-    var phi_1244_: f32;
-    var phi_1245_: bool;
-    var phi_1246_: f32;
-    var phi_1247_: bool;
-    var phi_1269_: bool;
+fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_691_: f32;
+    var phi_692_: f32;
+    var phi_693_: f32;
+    var phi_710_: f32;
+    var phi_711_: f32;
+    var phi_712_: f32;
+    var phi_728_: f32;
+    var phi_729_: f32;
+    var phi_730_: f32;
+    var phi_746_: f32;
+    var phi_747_: f32;
+    var phi_748_: f32;
+    var phi_764_: f32;
+    var phi_765_: f32;
+    var phi_766_: f32;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_806_: bool;
+    var phi_810_: bool;
+    var phi_1121_: f32;
+    var phi_1122_: f32;
+    var phi_1123_: f32;
+    var phi_1140_: f32;
+    var phi_1141_: f32;
+    var phi_1142_: f32;
+    var phi_1159_: f32;
+    var phi_1160_: f32;
+    var phi_1161_: f32;
+    var phi_1178_: f32;
+    var phi_1179_: f32;
+    var phi_1180_: f32;
+    var phi_1203_: f32;
+    var phi_1204_: f32;
+    var phi_1205_: f32;
+    var phi_1216_: f32;
+    var phi_1231_: f32;
+    var phi_1233_: lt_bvh_slab_Span;
+    var phi_1291_: f32;
+    var phi_1292_: f32;
+    var phi_1293_: f32;
     var phi_1294_: f32;
     var phi_1295_: f32;
-    var phi_1296_: f32;
-    var phi_1297_: f32;
-    var phi_1298_: bool;
-    var phi_1299_: f32;
-    var phi_1300_: bool;
-    var phi_1356_: vec2<f32>;
-    var phi_1394_: f32;
+    var phi_1296_: bool;
+    var phi_1300_: f32;
+    var phi_1310_: bool;
+    var phi_1323_: bool;
+    var phi_1327_: bool;
+    var phi_1328_: bool;
+    var phi_1338_: bool;
+    var phi_1339_: bool;
+    var phi_1340_: bool;
+    var phi_1344_: bool;
     var phi_1395_: f32;
     var phi_1396_: f32;
-    var phi_1429_: f32;
-    var phi_1430_: f32;
-    var phi_1431_: f32;
+    var phi_1397_: f32;
+    var phi_1414_: f32;
+    var phi_1415_: f32;
+    var phi_1416_: f32;
+    var phi_1433_: f32;
+    var phi_1434_: f32;
     var phi_1435_: f32;
-    var phi_1436_: f32;
-    var phi_1437_: f32;
-    var phi_1438_: f32;
-    var phi_1449_: bool;
+    var phi_1452_: f32;
     var phi_1453_: f32;
     var phi_1454_: f32;
-    var phi_1455_: f32;
-    var phi_1456_: f32;
+    var phi_1477_: f32;
+    var phi_1478_: f32;
+    var phi_1479_: f32;
+    var phi_1566_: f32;
+    var phi_1567_: f32;
+    var phi_1578_: bool;
+    var phi_1582_: f32;
+    var phi_1583_: f32;
+    var phi_1598_: f32;
+    var phi_1599_: f32;
+    var phi_1600_: f32;
+    var phi_1601_: f32;
+    var phi_1602_: f32;
+    var phi_1603_: f32;
+    var phi_1604_: f32;
+    var phi_1605_: bool;
+    var phi_1606_: f32;
+    var phi_1607_: f32;
+    var phi_1608_: bool;
+    var phi_1612_: f32;
 
-    let _e40 = (*param_12);
-    let _e41 = (1f - _e40);
-    let _e50 = (0.5f * _e40);
-    let _e51 = ((param_13.x * _e41) + _e50);
-    let _e52 = ((param_13.y * _e41) + _e50);
-    let _e53 = ((param_13.z * _e41) + _e50);
-    let _e54 = ((param_13.w * _e41) + _e50);
-    let _e57 = (_e52 - (_e51 * _e51));
-    let _e59 = (_e53 - (_e51 * _e52));
-    let _e65 = hankel_HankelFactors(vec4<f32>(_e51, _e52, _e53, _e54), _e57, _e59, (((_e54 - (_e52 * _e52)) * _e57) - (_e59 * _e59)));
-    local = hankel_HankelFactors(_e65.moments, _e65.d22_, _e65.l32_d22_, _e65.d33_d22_);
-    if ((bitcast<u32>(param_14) & 2147483647u) > 2139095040u) {
-        phi_803_ = param_14;
+    let _e42 = (*param_4);
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_693_ = param_7;
     } else {
-        if (param_14 < 0f) {
-            phi_802_ = 0f;
+        if (param_7 < 0f) {
+            phi_692_ = 0f;
         } else {
-            if (param_14 > 1f) {
-                phi_801_ = 1f;
+            if (param_7 > 1f) {
+                phi_691_ = 1f;
             } else {
-                phi_801_ = param_14;
+                phi_691_ = param_7;
             }
-            let _e77 = phi_801_;
-            phi_802_ = _e77;
+            let _e49 = phi_691_;
+            phi_692_ = _e49;
         }
-        let _e79 = phi_802_;
-        phi_803_ = _e79;
+        let _e51 = phi_692_;
+        phi_693_ = _e51;
     }
-    let _e81 = phi_803_;
-    let _e84 = local.moments[0u];
-    let _e87 = local.moments[3u];
-    if (_e84 == _e87) {
-        let _e91 = local.moments[0u];
-        phi_815_ = (_e91 > 0.5f);
+    let _e53 = phi_693_;
+    let _e54 = (_e53 - 0.00000047683716f);
+    if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
+        phi_712_ = param_5.x;
     } else {
-        phi_815_ = false;
+        if (param_5.x < 0f) {
+            phi_711_ = 0f;
+        } else {
+            if (param_5.x > 1f) {
+                phi_710_ = 1f;
+            } else {
+                phi_710_ = param_5.x;
+            }
+            let _e62 = phi_710_;
+            phi_711_ = _e62;
+        }
+        let _e64 = phi_711_;
+        phi_712_ = _e64;
     }
-    let _e94 = phi_815_;
-    if _e94 {
-        let _e97 = local.moments[0u];
-        let _e100 = local.moments[3u];
-        if (_e97 == _e100) {
-            let _e104 = local.moments[0u];
-            phi_830_ = (_e104 > 0.5f);
-        } else {
-            phi_830_ = false;
-        }
-        let _e107 = phi_830_;
-        if _e107 {
-            if (_e81 > 0f) {
-                let _e110 = local.moments;
-                if ((bitcast<u32>(_e110.x) & 2147483647u) > 2139095040u) {
-                    phi_857_ = _e110.x;
-                } else {
-                    if (_e110.x < 0f) {
-                        phi_856_ = 0f;
-                    } else {
-                        if (_e110.x > 1f) {
-                            phi_855_ = 1f;
-                        } else {
-                            phi_855_ = _e110.x;
-                        }
-                        let _e118 = phi_855_;
-                        phi_856_ = _e118;
-                    }
-                    let _e120 = phi_856_;
-                    phi_857_ = _e120;
-                }
-                let _e122 = phi_857_;
-                phi_858_ = _e122;
-                phi_859_ = false;
-            } else {
-                phi_858_ = f32();
-                phi_859_ = true;
-            }
-            let _e124 = phi_858_;
-            let _e126 = phi_859_;
-            phi_860_ = _e124;
-            phi_861_ = _e126;
-        } else {
-            phi_860_ = f32();
-            phi_861_ = true;
-        }
-        let _e128 = phi_860_;
-        let _e130 = phi_861_;
-        if _e130 {
-            let _e133 = local.moments[0u];
-            let _e136 = local.moments[1u];
-            let _e144 = local.l32_d22_;
-            let _e146 = local.d22_;
-            let _e147 = (_e144 / _e146);
-            let _e148 = (_e81 - _e133);
-            let _e154 = local.d22_;
-            let _e157 = local.d33_d22_;
-            let _e158 = (((((_e81 * _e81) - _e136) - (_e147 * _e148)) * _e154) / _e157);
-            let _e160 = local.d22_;
-            let _e163 = ((_e148 / _e160) - (_e147 * _e158));
-            let _e169 = ((0.5f * _e163) / _e158);
-            let _e172 = ((_e169 * _e169) - (((1f - (_e163 * _e133)) - (_e158 * _e136)) / _e158));
-            if (_e172 >= 0f) {
-                let _e174 = sqrt(_e172);
-                phi_917_ = vec2<f32>((-(_e169) - _e174), (-(_e169) + _e174));
-            } else {
-                phi_917_ = vec2(bitcast<f32>((bitcast<u32>(_e172) | 2143289344u)));
-            }
-            let _e185 = phi_917_;
-            if (_e81 <= _e185.x) {
-                phi_998_ = 1f;
-            } else {
-                if (_e81 > _e185.y) {
-                    let _e191 = local.moments;
-                    let _e202 = (((_e191.y - (_e191.x * (_e185.x + _e185.y))) + (_e185.x * _e185.y)) / ((_e81 - _e185.x) * (_e81 - _e185.y)));
-                    if ((bitcast<u32>(_e202) & 2147483647u) > 2139095040u) {
-                        phi_957_ = _e202;
-                    } else {
-                        if (_e202 < 0f) {
-                            phi_956_ = 0f;
-                        } else {
-                            if (_e202 > 1f) {
-                                phi_955_ = 1f;
-                            } else {
-                                phi_955_ = _e202;
-                            }
-                            let _e209 = phi_955_;
-                            phi_956_ = _e209;
-                        }
-                        let _e211 = phi_956_;
-                        phi_957_ = _e211;
-                    }
-                    let _e213 = phi_957_;
-                    phi_997_ = _e213;
-                } else {
-                    if (_e81 > _e185.x) {
-                        let _e216 = local.moments;
-                        let _e228 = (1f - (((_e216.y - (_e216.x * (_e81 + _e185.y))) + (_e81 * _e185.y)) / ((_e185.x - _e81) * (_e185.x - _e185.y))));
-                        if ((bitcast<u32>(_e228) & 2147483647u) > 2139095040u) {
-                            phi_992_ = _e228;
-                        } else {
-                            if (_e228 < 0f) {
-                                phi_991_ = 0f;
-                            } else {
-                                if (_e228 > 1f) {
-                                    phi_990_ = 1f;
-                                } else {
-                                    phi_990_ = _e228;
-                                }
-                                let _e235 = phi_990_;
-                                phi_991_ = _e235;
-                            }
-                            let _e237 = phi_991_;
-                            phi_992_ = _e237;
-                        }
-                        let _e239 = phi_992_;
-                        phi_996_ = _e239;
-                    } else {
-                        phi_996_ = bitcast<f32>((bitcast<u32>(_e185.x) | 2143289344u));
-                    }
-                    let _e244 = phi_996_;
-                    phi_997_ = _e244;
-                }
-                let _e246 = phi_997_;
-                phi_998_ = _e246;
-            }
-            let _e248 = phi_998_;
-            phi_999_ = _e248;
-        } else {
-            phi_999_ = _e128;
-        }
-        let _e250 = phi_999_;
-        phi_1456_ = _e250;
+    let _e66 = phi_712_;
+    if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
+        phi_730_ = param_5.y;
     } else {
-        let _e253 = local.moments[0u];
-        let _e256 = local.moments[1u];
-        let _e264 = local.l32_d22_;
-        let _e266 = local.d22_;
-        let _e267 = (_e264 / _e266);
-        let _e268 = (_e81 - _e253);
-        let _e274 = local.d22_;
-        let _e277 = local.d33_d22_;
-        let _e278 = (((((_e81 * _e81) - _e256) - (_e267 * _e268)) * _e274) / _e277);
-        let _e280 = local.d22_;
-        let _e283 = ((_e268 / _e280) - (_e267 * _e278));
-        let _e289 = ((0.5f * _e283) / _e278);
-        let _e292 = ((_e289 * _e289) - (((1f - (_e283 * _e253)) - (_e278 * _e256)) / _e278));
-        if (_e292 >= 0f) {
-            let _e294 = sqrt(_e292);
-            phi_1052_ = vec2<f32>((-(_e289) - _e294), (-(_e289) + _e294));
+        if (param_5.y < 0f) {
+            phi_729_ = 0f;
         } else {
-            phi_1052_ = vec2(bitcast<f32>((bitcast<u32>(_e292) | 2143289344u)));
-        }
-        let _e305 = phi_1052_;
-        if (_e305.x >= 0f) {
-            if (_e305.y <= 1f) {
-                let _e312 = local.moments[0u];
-                let _e315 = local.moments[3u];
-                if (_e312 == _e315) {
-                    let _e319 = local.moments[0u];
-                    phi_1074_ = (_e319 > 0.5f);
-                } else {
-                    phi_1074_ = false;
-                }
-                let _e322 = phi_1074_;
-                if _e322 {
-                    if (_e81 > 0f) {
-                        let _e325 = local.moments;
-                        if ((bitcast<u32>(_e325.x) & 2147483647u) > 2139095040u) {
-                            phi_1101_ = _e325.x;
-                        } else {
-                            if (_e325.x < 0f) {
-                                phi_1100_ = 0f;
-                            } else {
-                                if (_e325.x > 1f) {
-                                    phi_1099_ = 1f;
-                                } else {
-                                    phi_1099_ = _e325.x;
-                                }
-                                let _e333 = phi_1099_;
-                                phi_1100_ = _e333;
-                            }
-                            let _e335 = phi_1100_;
-                            phi_1101_ = _e335;
-                        }
-                        let _e337 = phi_1101_;
-                        phi_1102_ = _e337;
-                        phi_1103_ = false;
-                    } else {
-                        phi_1102_ = f32();
-                        phi_1103_ = true;
-                    }
-                    let _e339 = phi_1102_;
-                    let _e341 = phi_1103_;
-                    phi_1104_ = _e339;
-                    phi_1105_ = _e341;
-                } else {
-                    phi_1104_ = f32();
-                    phi_1105_ = true;
-                }
-                let _e343 = phi_1104_;
-                let _e345 = phi_1105_;
-                if _e345 {
-                    let _e348 = local.moments[0u];
-                    let _e351 = local.moments[1u];
-                    let _e359 = local.l32_d22_;
-                    let _e361 = local.d22_;
-                    let _e362 = (_e359 / _e361);
-                    let _e363 = (_e81 - _e348);
-                    let _e369 = local.d22_;
-                    let _e372 = local.d33_d22_;
-                    let _e373 = (((((_e81 * _e81) - _e351) - (_e362 * _e363)) * _e369) / _e372);
-                    let _e375 = local.d22_;
-                    let _e378 = ((_e363 / _e375) - (_e362 * _e373));
-                    let _e384 = ((0.5f * _e378) / _e373);
-                    let _e387 = ((_e384 * _e384) - (((1f - (_e378 * _e348)) - (_e373 * _e351)) / _e373));
-                    if (_e387 >= 0f) {
-                        let _e389 = sqrt(_e387);
-                        phi_1161_ = vec2<f32>((-(_e384) - _e389), (-(_e384) + _e389));
-                    } else {
-                        phi_1161_ = vec2(bitcast<f32>((bitcast<u32>(_e387) | 2143289344u)));
-                    }
-                    let _e400 = phi_1161_;
-                    if (_e81 <= _e400.x) {
-                        phi_1242_ = 1f;
-                    } else {
-                        if (_e81 > _e400.y) {
-                            let _e406 = local.moments;
-                            let _e417 = (((_e406.y - (_e406.x * (_e400.x + _e400.y))) + (_e400.x * _e400.y)) / ((_e81 - _e400.x) * (_e81 - _e400.y)));
-                            if ((bitcast<u32>(_e417) & 2147483647u) > 2139095040u) {
-                                phi_1201_ = _e417;
-                            } else {
-                                if (_e417 < 0f) {
-                                    phi_1200_ = 0f;
-                                } else {
-                                    if (_e417 > 1f) {
-                                        phi_1199_ = 1f;
-                                    } else {
-                                        phi_1199_ = _e417;
-                                    }
-                                    let _e424 = phi_1199_;
-                                    phi_1200_ = _e424;
-                                }
-                                let _e426 = phi_1200_;
-                                phi_1201_ = _e426;
-                            }
-                            let _e428 = phi_1201_;
-                            phi_1241_ = _e428;
-                        } else {
-                            if (_e81 > _e400.x) {
-                                let _e431 = local.moments;
-                                let _e443 = (1f - (((_e431.y - (_e431.x * (_e81 + _e400.y))) + (_e81 * _e400.y)) / ((_e400.x - _e81) * (_e400.x - _e400.y))));
-                                if ((bitcast<u32>(_e443) & 2147483647u) > 2139095040u) {
-                                    phi_1236_ = _e443;
-                                } else {
-                                    if (_e443 < 0f) {
-                                        phi_1235_ = 0f;
-                                    } else {
-                                        if (_e443 > 1f) {
-                                            phi_1234_ = 1f;
-                                        } else {
-                                            phi_1234_ = _e443;
-                                        }
-                                        let _e450 = phi_1234_;
-                                        phi_1235_ = _e450;
-                                    }
-                                    let _e452 = phi_1235_;
-                                    phi_1236_ = _e452;
-                                }
-                                let _e454 = phi_1236_;
-                                phi_1240_ = _e454;
-                            } else {
-                                phi_1240_ = bitcast<f32>((bitcast<u32>(_e400.x) | 2143289344u));
-                            }
-                            let _e459 = phi_1240_;
-                            phi_1241_ = _e459;
-                        }
-                        let _e461 = phi_1241_;
-                        phi_1242_ = _e461;
-                    }
-                    let _e463 = phi_1242_;
-                    phi_1243_ = _e463;
-                } else {
-                    phi_1243_ = _e343;
-                }
-                let _e465 = phi_1243_;
-                phi_1244_ = _e465;
-                phi_1245_ = false;
+            if (param_5.y > 1f) {
+                phi_728_ = 1f;
             } else {
-                phi_1244_ = f32();
-                phi_1245_ = true;
+                phi_728_ = param_5.y;
             }
-            let _e467 = phi_1244_;
-            let _e469 = phi_1245_;
-            phi_1246_ = _e467;
-            phi_1247_ = _e469;
-        } else {
-            phi_1246_ = f32();
-            phi_1247_ = true;
+            let _e74 = phi_728_;
+            phi_729_ = _e74;
         }
-        let _e471 = phi_1246_;
-        let _e473 = phi_1247_;
-        if _e473 {
-            if ((bitcast<u32>(_e305.x) & 2147483647u) > 2139095040u) {
-                phi_1454_ = _e305.x;
+        let _e76 = phi_729_;
+        phi_730_ = _e76;
+    }
+    let _e78 = phi_730_;
+    if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
+        phi_748_ = param_5.z;
+    } else {
+        if (param_5.z < 0f) {
+            phi_747_ = 0f;
+        } else {
+            if (param_5.z > 1f) {
+                phi_746_ = 1f;
             } else {
-                let _e477 = lt_math_hausdorff_endpoint_upper_bound((&local), _e81);
-                let _e480 = local.moments[0u];
-                let _e483 = local.moments[3u];
-                if (_e480 == _e483) {
-                    let _e487 = local.moments[0u];
-                    phi_1269_ = (_e487 > 0.5f);
+                phi_746_ = param_5.z;
+            }
+            let _e86 = phi_746_;
+            phi_747_ = _e86;
+        }
+        let _e88 = phi_747_;
+        phi_748_ = _e88;
+    }
+    let _e90 = phi_748_;
+    if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
+        phi_766_ = param_5.w;
+    } else {
+        if (param_5.w < 0f) {
+            phi_765_ = 0f;
+        } else {
+            if (param_5.w > 1f) {
+                phi_764_ = 1f;
+            } else {
+                phi_764_ = param_5.w;
+            }
+            let _e98 = phi_764_;
+            phi_765_ = _e98;
+        }
+        let _e100 = phi_765_;
+        phi_766_ = _e100;
+    }
+    let _e102 = phi_766_;
+    let _e103 = (_e66 - _e54);
+    let _e104 = (_e78 - _e54);
+    let _e105 = (_e90 - _e54);
+    let _e106 = (_e102 - _e54);
+    let _e117 = ((((_e103 * param_6.x) + (_e104 * param_6.y)) + (_e105 * param_6.z)) + (_e106 * param_6.w));
+    if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
+        phi_1606_ = _e117;
+        phi_1607_ = f32();
+        phi_1608_ = true;
+    } else {
+        if (_e103 >= 0f) {
+            if (_e104 >= 0f) {
+                if (_e105 >= 0f) {
+                    phi_801_ = (_e106 >= 0f);
+                    phi_802_ = false;
                 } else {
-                    phi_1269_ = false;
+                    phi_801_ = bool();
+                    phi_802_ = true;
                 }
-                let _e490 = phi_1269_;
-                if _e490 {
-                    if (_e81 > 0f) {
-                        let _e493 = local.moments;
-                        if ((bitcast<u32>(_e493.x) & 2147483647u) > 2139095040u) {
-                            phi_1296_ = _e493.x;
+                let _e126 = phi_801_;
+                let _e128 = phi_802_;
+                phi_803_ = _e126;
+                phi_804_ = _e128;
+            } else {
+                phi_803_ = bool();
+                phi_804_ = true;
+            }
+            let _e130 = phi_803_;
+            let _e132 = phi_804_;
+            phi_805_ = _e130;
+            phi_806_ = _e132;
+        } else {
+            phi_805_ = bool();
+            phi_806_ = true;
+        }
+        let _e134 = phi_805_;
+        let _e136 = phi_806_;
+        if _e136 {
+            phi_810_ = false;
+        } else {
+            phi_810_ = _e134;
+        }
+        let _e138 = phi_810_;
+        if _e138 {
+            phi_1603_ = 1f;
+            phi_1604_ = f32();
+            phi_1605_ = true;
+        } else {
+            let _e139 = (0.5f * _e42);
+            let _e140 = (1f - _e42);
+            let _e142 = (param_6.x * _e140);
+            let _e144 = (param_6.y * _e140);
+            let _e146 = (param_6.z * _e140);
+            let _e148 = (param_6.w * _e140);
+            let _e149 = -(_e54);
+            let _e150 = (1f - _e54);
+            let _e152 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e66);
+            let _e154 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e78);
+            let _e156 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e90);
+            let _e158 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e102);
+            let _e159 = (_e103 - _e104);
+            let _e160 = (_e104 - _e105);
+            let _e161 = (_e105 - _e106);
+            let _e162 = (_e106 - _e103);
+            let _e163 = (_e159 * _e159);
+            let _e164 = (_e160 * _e160);
+            let _e165 = (_e161 * _e161);
+            let _e166 = (_e162 * _e162);
+            let _e167 = (_e103 - _e105);
+            let _e168 = (_e104 - _e106);
+            let _e169 = (_e105 - _e103);
+            let _e170 = (_e106 - _e104);
+            let _e171 = (_e167 * _e167);
+            let _e172 = (_e168 * _e168);
+            let _e173 = (_e169 * _e169);
+            let _e174 = (_e170 * _e170);
+            let _e179 = ((_e142 * _e144) * _e163);
+            let _e180 = ((_e144 * _e146) * _e164);
+            let _e181 = ((_e146 * _e148) * _e165);
+            let _e182 = ((_e148 * _e142) * _e166);
+            let _e191 = (((0.5f * _e142) * _e146) * _e171);
+            let _e192 = (((0.5f * _e144) * _e148) * _e172);
+            let _e193 = (((0.5f * _e146) * _e142) * _e173);
+            let _e194 = (((0.5f * _e148) * _e144) * _e174);
+            let _e195 = (_e103 * _e104);
+            let _e196 = (_e104 * _e105);
+            let _e197 = (_e105 * _e106);
+            let _e198 = (_e106 * _e103);
+            let _e199 = (_e103 * _e105);
+            let _e200 = (_e104 * _e106);
+            let _e201 = (_e105 * _e103);
+            let _e202 = (_e106 * _e104);
+            let _e203 = (_e179 * _e195);
+            let _e204 = (_e180 * _e196);
+            let _e205 = (_e181 * _e197);
+            let _e206 = (_e182 * _e198);
+            let _e207 = (_e191 * _e199);
+            let _e208 = (_e192 * _e200);
+            let _e209 = (_e193 * _e201);
+            let _e210 = (_e194 * _e202);
+            let _e211 = (_e66 * _e66);
+            let _e212 = (_e78 * _e78);
+            let _e213 = (_e90 * _e90);
+            let _e214 = (_e102 * _e102);
+            let _e215 = (_e152 * _e152);
+            let _e216 = (_e154 * _e154);
+            let _e217 = (_e156 * _e156);
+            let _e218 = (_e158 * _e158);
+            let _e219 = (_e139 * _e142);
+            let _e220 = (_e139 * _e144);
+            let _e221 = (_e139 * _e146);
+            let _e222 = (_e139 * _e148);
+            let _e231 = (((_e219 * _e103) * _e211) * _e149);
+            let _e232 = (((_e220 * _e104) * _e212) * _e149);
+            let _e233 = (((_e221 * _e105) * _e213) * _e149);
+            let _e234 = (((_e222 * _e106) * _e214) * _e149);
+            let _e243 = (((_e219 * _e103) * _e215) * _e150);
+            let _e244 = (((_e220 * _e104) * _e216) * _e150);
+            let _e245 = (((_e221 * _e105) * _e217) * _e150);
+            let _e246 = (((_e222 * _e106) * _e218) * _e150);
+            let _e414 = (((((((_e179 * _e146) * _e164) * _e171) + (_e139 * (((_e179 * ((_e211 * _e212) + (_e215 * _e216))) + (_e191 * ((_e211 * _e213) + (_e215 * _e217)))) + ((_e219 * _e211) * _e215)))) + ((((_e180 * _e148) * _e165) * _e172) + (_e139 * (((_e180 * ((_e212 * _e213) + (_e216 * _e217))) + (_e192 * ((_e212 * _e214) + (_e216 * _e218)))) + ((_e220 * _e212) * _e216))))) + ((((_e181 * _e142) * _e166) * _e173) + (_e139 * (((_e181 * ((_e213 * _e214) + (_e217 * _e218))) + (_e193 * ((_e213 * _e211) + (_e217 * _e215)))) + ((_e221 * _e213) * _e217))))) + ((((_e182 * _e144) * _e163) * _e174) + (_e139 * (((_e182 * ((_e214 * _e211) + (_e218 * _e215))) + (_e194 * ((_e214 * _e212) + (_e218 * _e216)))) + ((_e222 * _e214) * _e218)))));
+            let _e417 = (((_e139 * _e139) * _e149) * _e150);
+            let _e420 = (((((((_e203 * _e195) + (_e207 * _e199)) + (_e103 * ((_e231 * _e149) + (_e243 * _e150)))) + (((_e204 * _e196) + (_e208 * _e200)) + (_e104 * ((_e232 * _e149) + (_e244 * _e150))))) + (((_e205 * _e197) + (_e209 * _e201)) + (_e105 * ((_e233 * _e149) + (_e245 * _e150))))) + (((_e206 * _e198) + (_e210 * _e202)) + (_e106 * ((_e234 * _e149) + (_e246 * _e150))))) + ((_e417 * _e149) * _e150));
+            let _e426 = (_e420 < 0.0000000000000000000000000000000001f);
+            if _e426 {
+                if ((bitcast<u32>(_e103) & 2147483647u) > 2139095040u) {
+                    phi_1123_ = _e103;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_1122_ = 0f;
+                    } else {
+                        if (_e103 < 0f) {
+                            phi_1121_ = 0f;
                         } else {
-                            if (_e493.x < 0f) {
-                                phi_1295_ = 0f;
-                            } else {
-                                if (_e493.x > 1f) {
-                                    phi_1294_ = 1f;
-                                } else {
-                                    phi_1294_ = _e493.x;
-                                }
-                                let _e501 = phi_1294_;
-                                phi_1295_ = _e501;
-                            }
-                            let _e503 = phi_1295_;
-                            phi_1296_ = _e503;
+                            phi_1121_ = 1f;
                         }
-                        let _e505 = phi_1296_;
-                        phi_1297_ = _e505;
-                        phi_1298_ = false;
-                    } else {
-                        phi_1297_ = f32();
-                        phi_1298_ = true;
+                        let _e435 = phi_1121_;
+                        phi_1122_ = _e435;
                     }
-                    let _e507 = phi_1297_;
-                    let _e509 = phi_1298_;
-                    phi_1299_ = _e507;
-                    phi_1300_ = _e509;
-                } else {
-                    phi_1299_ = f32();
-                    phi_1300_ = true;
+                    let _e437 = phi_1122_;
+                    phi_1123_ = _e437;
                 }
-                let _e511 = phi_1299_;
-                let _e513 = phi_1300_;
-                if _e513 {
-                    let _e516 = local.moments[0u];
-                    let _e519 = local.moments[1u];
-                    let _e527 = local.l32_d22_;
-                    let _e529 = local.d22_;
-                    let _e530 = (_e527 / _e529);
-                    let _e531 = (_e81 - _e516);
-                    let _e537 = local.d22_;
-                    let _e540 = local.d33_d22_;
-                    let _e541 = (((((_e81 * _e81) - _e519) - (_e530 * _e531)) * _e537) / _e540);
-                    let _e543 = local.d22_;
-                    let _e546 = ((_e531 / _e543) - (_e530 * _e541));
-                    let _e552 = ((0.5f * _e546) / _e541);
-                    let _e555 = ((_e552 * _e552) - (((1f - (_e546 * _e516)) - (_e541 * _e519)) / _e541));
-                    if (_e555 >= 0f) {
-                        let _e557 = sqrt(_e555);
-                        phi_1356_ = vec2<f32>((-(_e552) - _e557), (-(_e552) + _e557));
+                let _e439 = phi_1123_;
+                if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
+                    phi_1142_ = _e104;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_1141_ = 0f;
                     } else {
-                        phi_1356_ = vec2(bitcast<f32>((bitcast<u32>(_e555) | 2143289344u)));
+                        if (_e104 < 0f) {
+                            phi_1140_ = 0f;
+                        } else {
+                            phi_1140_ = 1f;
+                        }
+                        let _e448 = phi_1140_;
+                        phi_1141_ = _e448;
                     }
-                    let _e568 = phi_1356_;
-                    if (_e81 <= _e568.x) {
-                        phi_1437_ = 1f;
+                    let _e450 = phi_1141_;
+                    phi_1142_ = _e450;
+                }
+                let _e452 = phi_1142_;
+                if ((bitcast<u32>(_e105) & 2147483647u) > 2139095040u) {
+                    phi_1161_ = _e105;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_1160_ = 0f;
                     } else {
-                        if (_e81 > _e568.y) {
-                            let _e574 = local.moments;
-                            let _e585 = (((_e574.y - (_e574.x * (_e568.x + _e568.y))) + (_e568.x * _e568.y)) / ((_e81 - _e568.x) * (_e81 - _e568.y)));
-                            if ((bitcast<u32>(_e585) & 2147483647u) > 2139095040u) {
-                                phi_1396_ = _e585;
+                        if (_e105 < 0f) {
+                            phi_1159_ = 0f;
+                        } else {
+                            phi_1159_ = 1f;
+                        }
+                        let _e461 = phi_1159_;
+                        phi_1160_ = _e461;
+                    }
+                    let _e463 = phi_1160_;
+                    phi_1161_ = _e463;
+                }
+                let _e465 = phi_1161_;
+                if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
+                    phi_1180_ = _e106;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_1179_ = 0f;
+                    } else {
+                        if (_e106 < 0f) {
+                            phi_1178_ = 0f;
+                        } else {
+                            phi_1178_ = 1f;
+                        }
+                        let _e474 = phi_1178_;
+                        phi_1179_ = _e474;
+                    }
+                    let _e476 = phi_1179_;
+                    phi_1180_ = _e476;
+                }
+                let _e478 = phi_1180_;
+                let _e486 = (((((_e439 * _e142) + (_e452 * _e144)) + (_e465 * _e146)) + (_e478 * _e148)) + _e139);
+                if ((bitcast<u32>(_e486) & 2147483647u) > 2139095040u) {
+                    phi_1205_ = _e486;
+                } else {
+                    if (_e486 < 0f) {
+                        phi_1204_ = 0f;
+                    } else {
+                        if (_e486 > 1f) {
+                            phi_1203_ = 1f;
+                        } else {
+                            phi_1203_ = _e486;
+                        }
+                        let _e493 = phi_1203_;
+                        phi_1204_ = _e493;
+                    }
+                    let _e495 = phi_1204_;
+                    phi_1205_ = _e495;
+                }
+                let _e497 = phi_1205_;
+                phi_1601_ = _e497;
+                phi_1602_ = f32();
+            } else {
+                let _e499 = ((0.5f * -(((((((((_e203 * (_e103 + _e104)) + (_e207 * (_e103 + _e105))) + (_e231 * (_e103 + _e149))) + (_e243 * (_e103 + _e150))) + ((((_e204 * (_e104 + _e105)) + (_e208 * (_e104 + _e106))) + (_e232 * (_e104 + _e149))) + (_e244 * (_e104 + _e150)))) + ((((_e205 * (_e105 + _e106)) + (_e209 * (_e105 + _e103))) + (_e233 * (_e105 + _e149))) + (_e245 * (_e105 + _e150)))) + ((((_e206 * (_e106 + _e103)) + (_e210 * (_e106 + _e104))) + (_e234 * (_e106 + _e149))) + (_e246 * (_e106 + _e150)))) + (_e417 * (_e149 + _e150))))) / _e420);
+                let _e500 = ((((((((_e203 + _e207) + _e231) + _e243) + (((_e204 + _e208) + _e232) + _e244)) + (((_e205 + _e209) + _e233) + _e245)) + (((_e206 + _e210) + _e234) + _e246)) + _e417) / _e420);
+                let _e502 = ((_e499 * _e499) - _e500);
+                if (_e502 > 0f) {
+                    phi_1216_ = sqrt(_e502);
+                } else {
+                    phi_1216_ = 0f;
+                }
+                let _e506 = phi_1216_;
+                if (_e499 > 0f) {
+                    let _e509 = (-(_e499) - _e506);
+                    phi_1233_ = lt_bvh_slab_Span(_e509, (_e500 / _e509));
+                } else {
+                    let _e512 = (_e506 - _e499);
+                    if (_e512 > 0f) {
+                        phi_1231_ = (_e500 / _e512);
+                    } else {
+                        phi_1231_ = 0f;
+                    }
+                    let _e516 = phi_1231_;
+                    phi_1233_ = lt_bvh_slab_Span(_e516, _e512);
+                }
+                let _e519 = phi_1233_;
+                if (_e519.near >= 0f) {
+                    phi_1294_ = 1f;
+                    phi_1295_ = f32();
+                    phi_1296_ = true;
+                } else {
+                    let _e523 = (_e519.far <= 0f);
+                    if _e523 {
+                        phi_1292_ = (_e414 / _e420);
+                        phi_1293_ = f32();
+                    } else {
+                        let _e534 = (((((_e142 * _e103) + (_e144 * _e104)) + (_e146 * _e105)) + (_e148 * _e106)) + (_e139 * (_e149 + _e150)));
+                        let _e550 = (((((_e142 * (_e103 * _e103)) + (_e144 * (_e104 * _e104))) + (_e146 * (_e105 * _e105))) + (_e148 * (_e106 * _e106))) + (_e139 * ((_e149 * _e149) + (_e150 * _e150))));
+                        if (-(_e519.near) <= _e519.far) {
+                            phi_1291_ = (1f - (((_e519.near * _e519.near) * ((_e519.far * _e550) - _e534)) / (_e519.far - _e519.near)));
+                        } else {
+                            phi_1291_ = ((_e414 / _e420) + (((_e519.far * _e519.far) * (_e534 - (_e519.near * _e550))) / (_e519.far - _e519.near)));
+                        }
+                        let _e569 = phi_1291_;
+                        phi_1292_ = f32();
+                        phi_1293_ = _e569;
+                    }
+                    let _e571 = phi_1292_;
+                    let _e573 = phi_1293_;
+                    phi_1294_ = _e571;
+                    phi_1295_ = _e573;
+                    phi_1296_ = _e523;
+                }
+                let _e575 = phi_1294_;
+                let _e577 = phi_1295_;
+                let _e579 = phi_1296_;
+                if _e579 {
+                    phi_1300_ = _e575;
+                } else {
+                    phi_1300_ = _e577;
+                }
+                let _e581 = phi_1300_;
+                if ((_e519.near * _e149) >= (1f - 0.00001f)) {
+                    phi_1310_ = true;
+                } else {
+                    phi_1310_ = ((_e519.near * _e150) >= (1f - 0.00001f));
+                }
+                let _e589 = phi_1310_;
+                if _e589 {
+                    if ((_e519.far * _e149) >= (1f - 0.00001f)) {
+                        phi_1323_ = true;
+                    } else {
+                        phi_1323_ = ((_e519.far * _e150) >= (1f - 0.00001f));
+                    }
+                    let _e597 = phi_1323_;
+                    if _e597 {
+                        phi_1327_ = false;
+                    } else {
+                        phi_1327_ = true;
+                    }
+                    let _e599 = phi_1327_;
+                    phi_1328_ = _e599;
+                } else {
+                    phi_1328_ = true;
+                }
+                let _e601 = phi_1328_;
+                if _e601 {
+                    let _e603 = (-(_e149) < 0.0001f);
+                    if _e603 {
+                        phi_1338_ = bool();
+                    } else {
+                        phi_1338_ = (_e150 < 0.0001f);
+                    }
+                    let _e606 = phi_1338_;
+                    phi_1339_ = _e606;
+                    phi_1340_ = _e603;
+                } else {
+                    phi_1339_ = bool();
+                    phi_1340_ = true;
+                }
+                let _e608 = phi_1339_;
+                let _e610 = phi_1340_;
+                if _e610 {
+                    phi_1344_ = true;
+                } else {
+                    phi_1344_ = _e608;
+                }
+                let _e612 = phi_1344_;
+                if !(_e612) {
+                    let _e618 = ((_e142 * _e66) * _e152);
+                    let _e619 = ((_e144 * _e78) * _e154);
+                    let _e620 = ((_e146 * _e90) * _e156);
+                    let _e621 = ((_e148 * _e102) * _e158);
+                    let _e639 = ((((_e618 * (_e103 * _e103)) + (_e619 * (_e104 * _e104))) + (_e620 * (_e105 * _e105))) + (_e621 * (_e106 * _e106)));
+                    if (_e639 < 0.0000000000000000000000000000000001f) {
+                        if ((bitcast<u32>(_e103) & 2147483647u) > 2139095040u) {
+                            phi_1397_ = _e103;
+                        } else {
+                            if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                                phi_1396_ = 0f;
                             } else {
-                                if (_e585 < 0f) {
+                                if (_e103 < 0f) {
                                     phi_1395_ = 0f;
                                 } else {
-                                    if (_e585 > 1f) {
-                                        phi_1394_ = 1f;
-                                    } else {
-                                        phi_1394_ = _e585;
-                                    }
-                                    let _e592 = phi_1394_;
-                                    phi_1395_ = _e592;
+                                    phi_1395_ = 1f;
                                 }
-                                let _e594 = phi_1395_;
-                                phi_1396_ = _e594;
+                                let _e649 = phi_1395_;
+                                phi_1396_ = _e649;
                             }
-                            let _e596 = phi_1396_;
-                            phi_1436_ = _e596;
-                        } else {
-                            if (_e81 > _e568.x) {
-                                let _e599 = local.moments;
-                                let _e611 = (1f - (((_e599.y - (_e599.x * (_e81 + _e568.y))) + (_e81 * _e568.y)) / ((_e568.x - _e81) * (_e568.x - _e568.y))));
-                                if ((bitcast<u32>(_e611) & 2147483647u) > 2139095040u) {
-                                    phi_1431_ = _e611;
-                                } else {
-                                    if (_e611 < 0f) {
-                                        phi_1430_ = 0f;
-                                    } else {
-                                        if (_e611 > 1f) {
-                                            phi_1429_ = 1f;
-                                        } else {
-                                            phi_1429_ = _e611;
-                                        }
-                                        let _e618 = phi_1429_;
-                                        phi_1430_ = _e618;
-                                    }
-                                    let _e620 = phi_1430_;
-                                    phi_1431_ = _e620;
-                                }
-                                let _e622 = phi_1431_;
-                                phi_1435_ = _e622;
-                            } else {
-                                phi_1435_ = bitcast<f32>((bitcast<u32>(_e568.x) | 2143289344u));
-                            }
-                            let _e627 = phi_1435_;
-                            phi_1436_ = _e627;
+                            let _e651 = phi_1396_;
+                            phi_1397_ = _e651;
                         }
-                        let _e629 = phi_1436_;
-                        phi_1437_ = _e629;
+                        let _e653 = phi_1397_;
+                        if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
+                            phi_1416_ = _e104;
+                        } else {
+                            if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                                phi_1415_ = 0f;
+                            } else {
+                                if (_e104 < 0f) {
+                                    phi_1414_ = 0f;
+                                } else {
+                                    phi_1414_ = 1f;
+                                }
+                                let _e662 = phi_1414_;
+                                phi_1415_ = _e662;
+                            }
+                            let _e664 = phi_1415_;
+                            phi_1416_ = _e664;
+                        }
+                        let _e666 = phi_1416_;
+                        if ((bitcast<u32>(_e105) & 2147483647u) > 2139095040u) {
+                            phi_1435_ = _e105;
+                        } else {
+                            if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                                phi_1434_ = 0f;
+                            } else {
+                                if (_e105 < 0f) {
+                                    phi_1433_ = 0f;
+                                } else {
+                                    phi_1433_ = 1f;
+                                }
+                                let _e675 = phi_1433_;
+                                phi_1434_ = _e675;
+                            }
+                            let _e677 = phi_1434_;
+                            phi_1435_ = _e677;
+                        }
+                        let _e679 = phi_1435_;
+                        if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
+                            phi_1454_ = _e106;
+                        } else {
+                            if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                                phi_1453_ = 0f;
+                            } else {
+                                if (_e106 < 0f) {
+                                    phi_1452_ = 0f;
+                                } else {
+                                    phi_1452_ = 1f;
+                                }
+                                let _e688 = phi_1452_;
+                                phi_1453_ = _e688;
+                            }
+                            let _e690 = phi_1453_;
+                            phi_1454_ = _e690;
+                        }
+                        let _e692 = phi_1454_;
+                        let _e700 = (((((_e653 * _e142) + (_e666 * _e144)) + (_e679 * _e146)) + (_e692 * _e148)) + _e139);
+                        if ((bitcast<u32>(_e700) & 2147483647u) > 2139095040u) {
+                            phi_1479_ = _e700;
+                        } else {
+                            if (_e700 < 0f) {
+                                phi_1478_ = 0f;
+                            } else {
+                                if (_e700 > 1f) {
+                                    phi_1477_ = 1f;
+                                } else {
+                                    phi_1477_ = _e700;
+                                }
+                                let _e707 = phi_1477_;
+                                phi_1478_ = _e707;
+                            }
+                            let _e709 = phi_1478_;
+                            phi_1479_ = _e709;
+                        }
+                        let _e711 = phi_1479_;
+                        phi_1567_ = _e711;
+                    } else {
+                        let _e712 = (((((_e618 * _e103) + (_e619 * _e104)) + (_e620 * _e105)) + (_e621 * _e106)) / _e639);
+                        let _e729 = ((_e142 * _e103) * (vec4<f32>(1f, 1f, 1f, 1f).x - (_e712 * _e103)));
+                        let _e730 = ((_e144 * _e104) * (vec4<f32>(1f, 1f, 1f, 1f).y - (_e712 * _e104)));
+                        let _e731 = ((_e146 * _e105) * (vec4<f32>(1f, 1f, 1f, 1f).z - (_e712 * _e105)));
+                        let _e732 = ((_e148 * _e106) * (vec4<f32>(1f, 1f, 1f, 1f).w - (_e712 * _e106)));
+                        if (_e712 > 0f) {
+                            phi_1566_ = ((1f - _e139) - (((((_e729 * _e152) + (_e730 * _e154)) + (_e731 * _e156)) + (_e732 * _e158)) / (_e149 * (1f - (_e149 * _e712)))));
+                        } else {
+                            phi_1566_ = ((((((((_e618 * ((_e619 * _e163) + ((0.5f * _e620) * _e171))) * vec4<f32>(1f, 1f, 1f, 1f).x) + ((_e619 * ((_e620 * _e164) + ((0.5f * _e621) * _e172))) * vec4<f32>(1f, 1f, 1f, 1f).y)) + ((_e620 * ((_e621 * _e165) + ((0.5f * _e618) * _e173))) * vec4<f32>(1f, 1f, 1f, 1f).z)) + ((_e621 * ((_e618 * _e166) + ((0.5f * _e619) * _e174))) * vec4<f32>(1f, 1f, 1f, 1f).w)) / (_e639 * (-(_e149) * _e150))) + _e139) + (((((_e729 * _e66) + (_e730 * _e78)) + (_e731 * _e90)) + (_e732 * _e102)) / (_e150 * (1f - (_e712 * _e150)))));
+                        }
+                        let _e796 = phi_1566_;
+                        phi_1567_ = _e796;
                     }
-                    let _e631 = phi_1437_;
-                    phi_1438_ = _e631;
-                } else {
-                    phi_1438_ = _e511;
-                }
-                let _e633 = phi_1438_;
-                if ((bitcast<u32>(_e633) & 2147483647u) > 2139095040u) {
-                    phi_1449_ = true;
-                } else {
-                    let _e637 = (_e633 < _e477);
-                    if _e637 {
+                    let _e798 = phi_1567_;
+                    if ((bitcast<u32>(_e581) & 2147483647u) > 2139095040u) {
+                        phi_1578_ = true;
+                    } else {
+                        let _e802 = (_e581 < _e798);
+                        if _e802 {
+                        }
+                        phi_1578_ = _e802;
                     }
-                    phi_1449_ = _e637;
-                }
-                let _e639 = phi_1449_;
-                if _e639 {
-                    phi_1453_ = _e633;
+                    let _e804 = phi_1578_;
+                    if _e804 {
+                        phi_1582_ = _e581;
+                    } else {
+                        phi_1582_ = _e798;
+                    }
+                    let _e806 = phi_1582_;
+                    phi_1583_ = _e806;
                 } else {
-                    phi_1453_ = _e477;
+                    phi_1583_ = _e581;
                 }
-                let _e641 = phi_1453_;
-                phi_1454_ = _e641;
+                let _e808 = phi_1583_;
+                if ((bitcast<u32>(_e808) & 2147483647u) > 2139095040u) {
+                    phi_1600_ = _e808;
+                } else {
+                    if (_e808 < 0f) {
+                        phi_1599_ = 0f;
+                    } else {
+                        if (_e808 > 1f) {
+                            phi_1598_ = 1f;
+                        } else {
+                            phi_1598_ = _e808;
+                        }
+                        let _e815 = phi_1598_;
+                        phi_1599_ = _e815;
+                    }
+                    let _e817 = phi_1599_;
+                    phi_1600_ = _e817;
+                }
+                let _e819 = phi_1600_;
+                phi_1601_ = f32();
+                phi_1602_ = _e819;
             }
-            let _e643 = phi_1454_;
-            phi_1455_ = _e643;
-        } else {
-            phi_1455_ = _e471;
+            let _e821 = phi_1601_;
+            let _e823 = phi_1602_;
+            phi_1603_ = _e821;
+            phi_1604_ = _e823;
+            phi_1605_ = _e426;
         }
-        let _e645 = phi_1455_;
-        phi_1456_ = _e645;
+        let _e825 = phi_1603_;
+        let _e827 = phi_1604_;
+        let _e829 = phi_1605_;
+        phi_1606_ = _e825;
+        phi_1607_ = _e827;
+        phi_1608_ = _e829;
     }
-    let _e647 = phi_1456_;
-    return _e647;
+    let _e831 = phi_1606_;
+    let _e833 = phi_1607_;
+    let _e835 = phi_1608_;
+    if _e835 {
+        phi_1612_ = _e831;
+    } else {
+        phi_1612_ = _e833;
+    }
+    let _e837 = phi_1612_;
+    return _e837;
 }
 
 fn function_() {
-    var local_1: f32;
-    var phi_230_: bool;
-    var phi_231_: bool;
-    var phi_232_: bool;
-    var phi_233_: bool;
-    var phi_237_: bool;
-    var phi_281_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_285_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_362_: bool;
-    var phi_371_: bool;
-    var phi_380_: bool;
-    var phi_381_: bool;
-    var phi_382_: bool;
-    var phi_383_: bool;
-    var phi_384_: bool;
-    var phi_385_: bool;
-    var phi_386_: bool;
-    var phi_390_: bool;
+    var local: f32;
+    var phi_198_: bool;
+    var phi_199_: bool;
+    var phi_200_: bool;
+    var phi_201_: bool;
+    var phi_205_: bool;
+    var phi_249_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_253_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_330_: bool;
+    var phi_339_: bool;
+    var phi_348_: bool;
+    var phi_349_: bool;
+    var phi_350_: bool;
+    var phi_351_: bool;
+    var phi_352_: bool;
+    var phi_353_: bool;
+    var phi_354_: bool;
+    var phi_358_: bool;
+    var phi_452_: f32;
+    var phi_455_: f32;
     var phi_484_: f32;
-    var phi_487_: f32;
+    var phi_489_: f32;
+    var phi_490_: bool;
+    var phi_491_: f32;
+    var phi_492_: bool;
+    var phi_496_: f32;
     var phi_516_: f32;
     var phi_521_: f32;
     var phi_522_: bool;
     var phi_523_: f32;
     var phi_524_: bool;
     var phi_528_: f32;
-    var phi_548_: f32;
-    var phi_553_: f32;
-    var phi_554_: bool;
-    var phi_555_: f32;
-    var phi_556_: bool;
-    var phi_560_: f32;
-    var phi_606_: i32;
-    var phi_611_: i32;
-    var phi_616_: i32;
-    var phi_621_: i32;
-    var phi_630_: i32;
-    var phi_635_: i32;
-    var phi_640_: i32;
-    var phi_645_: i32;
-    var phi_734_: evaluate_Verdict;
-    var phi_735_: evaluate_Verdict;
-    var phi_736_: bool;
-    var phi_737_: evaluate_Verdict;
-    var phi_738_: evaluate_Verdict;
-    var phi_739_: bool;
-    var phi_743_: evaluate_Verdict;
+    var phi_574_: i32;
+    var phi_579_: i32;
+    var phi_584_: i32;
+    var phi_589_: i32;
+    var phi_598_: i32;
+    var phi_603_: i32;
+    var phi_608_: i32;
+    var phi_613_: i32;
+    var phi_654_: evaluate_Verdict;
+    var phi_655_: evaluate_Verdict;
+    var phi_656_: bool;
+    var phi_657_: evaluate_Verdict;
+    var phi_658_: evaluate_Verdict;
+    var phi_659_: bool;
+    var phi_663_: evaluate_Verdict;
 
-    let _e37 = id_1;
-    let _e44 = arrayLength((&map.member));
-    let _e50 = p.member.size[0u];
-    let _e52 = p.member.size[1u];
-    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
-    if (bitcast<i32>(_e53.root) != 0i) {
-        if (_e53.first_primitive < arrayLength((&samples.member))) {
+    let _e39 = id_1;
+    let _e46 = arrayLength((&map.member));
+    let _e52 = p.member.size[0u];
+    let _e54 = p.member.size[1u];
+    let _e55 = lt_shaders_entry_pixel_index(_e39, _e52, _e54);
+    if (bitcast<i32>(_e55.root) != 0i) {
+        if (_e55.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e62 = p.member.light;
-        let _e65 = samples.member[(0u + _e53.first_primitive)].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[(0u + _e53.first_primitive)].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[(0u + _e53.first_primitive)].normal[2u];
-                let _e77 = global[2u];
-                phi_230_ = (_e75 == _e77);
-                phi_231_ = false;
+        let _e64 = p.member.light;
+        let _e67 = samples.member[(0u + _e55.first_primitive)].normal[0u];
+        let _e69 = global[0u];
+        if (_e67 == _e69) {
+            let _e72 = samples.member[(0u + _e55.first_primitive)].normal[1u];
+            let _e74 = global[1u];
+            if (_e72 == _e74) {
+                let _e77 = samples.member[(0u + _e55.first_primitive)].normal[2u];
+                let _e79 = global[2u];
+                phi_198_ = (_e77 == _e79);
+                phi_199_ = false;
             } else {
-                phi_230_ = bool();
-                phi_231_ = true;
+                phi_198_ = bool();
+                phi_199_ = true;
             }
-            let _e80 = phi_230_;
-            let _e82 = phi_231_;
-            phi_232_ = _e80;
-            phi_233_ = _e82;
+            let _e82 = phi_198_;
+            let _e84 = phi_199_;
+            phi_200_ = _e82;
+            phi_201_ = _e84;
         } else {
-            phi_232_ = bool();
-            phi_233_ = true;
+            phi_200_ = bool();
+            phi_201_ = true;
         }
-        let _e84 = phi_232_;
-        let _e86 = phi_233_;
-        if _e86 {
-            phi_237_ = false;
+        let _e86 = phi_200_;
+        let _e88 = phi_201_;
+        if _e88 {
+            phi_205_ = false;
         } else {
-            phi_237_ = _e84;
+            phi_205_ = _e86;
         }
-        let _e88 = phi_237_;
-        if !(_e88) {
-            let _e91 = samples.member[(0u + _e53.first_primitive)].normal;
-            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
-            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
-                let _e117 = samples.member[(0u + _e53.first_primitive)].flags;
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_281_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
+        let _e90 = phi_205_;
+        if !(_e90) {
+            let _e93 = samples.member[(0u + _e55.first_primitive)].normal;
+            let _e95 = samples.member[(0u + _e55.first_primitive)].position;
+            if ((((_e93.x * (_e64.x - (_e95.x * _e64.w))) + (_e93.y * (_e64.y - (_e95.y * _e64.w)))) + (_e93.z * (_e64.z - (_e95.z * _e64.w)))) > 0f) {
+                let _e119 = samples.member[(0u + _e55.first_primitive)].flags;
+                let _e127 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e127.unnamed.visibility, false), _e127.unnamed_1);
+                phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e133.unnamed, ((_e119 & 1u) == 0u));
             } else {
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
-                phi_281_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
+                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e142.unnamed.visibility, false), _e142.unnamed_1);
+                phi_249_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e148.unnamed, true);
             }
-            let _e151 = phi_281_;
-            phi_285_ = _e151;
+            let _e153 = phi_249_;
+            phi_253_ = _e153;
         } else {
-            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-            phi_285_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
+            let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e159.unnamed.visibility, false), _e159.unnamed_1);
+            phi_253_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e165.unnamed, true);
         }
-        let _e168 = phi_285_;
-        if _e168.unnamed_1 {
-            phi_737_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
-            phi_738_ = evaluate_Verdict();
-            phi_739_ = true;
+        let _e170 = phi_253_;
+        if _e170.unnamed_1 {
+            phi_657_ = evaluate_Verdict(_e170.unnamed.visibility, _e170.unnamed.is_doubted);
+            phi_658_ = evaluate_Verdict();
+            phi_659_ = true;
         } else {
-            let _e176 = samples.member[(0u + _e53.first_primitive)].position;
-            let _e182 = p.member.projection.row_w;
-            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
-            let _e195 = p.member.projection.row_x;
-            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
-            let _e209 = p.member.projection.row_y;
-            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
-            let _e223 = p.member.projection.row_z;
-            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
-            if (_e193 > 0f) {
-                if (_e207 >= 0f) {
-                    phi_362_ = (_e207 <= 1f);
+            let _e178 = samples.member[(0u + _e55.first_primitive)].position;
+            let _e184 = p.member.projection.row_w;
+            let _e195 = ((((_e184.x * _e178.x) + (_e184.y * _e178.y)) + (_e184.z * _e178.z)) + (_e184.w * 1f));
+            let _e197 = p.member.projection.row_x;
+            let _e209 = (((((_e197.x * _e178.x) + (_e197.y * _e178.y)) + (_e197.z * _e178.z)) + (_e197.w * 1f)) / _e195);
+            let _e211 = p.member.projection.row_y;
+            let _e223 = (((((_e211.x * _e178.x) + (_e211.y * _e178.y)) + (_e211.z * _e178.z)) + (_e211.w * 1f)) / _e195);
+            let _e225 = p.member.projection.row_z;
+            let _e236 = ((((_e225.x * _e178.x) + (_e225.y * _e178.y)) + (_e225.z * _e178.z)) + (_e225.w * 1f));
+            if (_e195 > 0f) {
+                if (_e209 >= 0f) {
+                    phi_330_ = (_e209 <= 1f);
                 } else {
-                    phi_362_ = false;
+                    phi_330_ = false;
                 }
-                let _e239 = phi_362_;
-                if _e239 {
-                    if (_e221 >= 0f) {
-                        phi_371_ = (_e221 <= 1f);
+                let _e241 = phi_330_;
+                if _e241 {
+                    if (_e223 >= 0f) {
+                        phi_339_ = (_e223 <= 1f);
                     } else {
-                        phi_371_ = false;
+                        phi_339_ = false;
                     }
-                    let _e243 = phi_371_;
-                    if _e243 {
-                        if (_e234 >= 0f) {
-                            phi_380_ = (_e234 <= 1f);
+                    let _e245 = phi_339_;
+                    if _e245 {
+                        if (_e236 >= 0f) {
+                            phi_348_ = (_e236 <= 1f);
                         } else {
-                            phi_380_ = false;
+                            phi_348_ = false;
                         }
-                        let _e247 = phi_380_;
-                        phi_381_ = _e247;
-                        phi_382_ = false;
+                        let _e249 = phi_348_;
+                        phi_349_ = _e249;
+                        phi_350_ = false;
                     } else {
-                        phi_381_ = bool();
-                        phi_382_ = true;
+                        phi_349_ = bool();
+                        phi_350_ = true;
                     }
-                    let _e249 = phi_381_;
-                    let _e251 = phi_382_;
-                    phi_383_ = _e249;
-                    phi_384_ = _e251;
+                    let _e251 = phi_349_;
+                    let _e253 = phi_350_;
+                    phi_351_ = _e251;
+                    phi_352_ = _e253;
                 } else {
-                    phi_383_ = bool();
-                    phi_384_ = true;
+                    phi_351_ = bool();
+                    phi_352_ = true;
                 }
-                let _e253 = phi_383_;
-                let _e255 = phi_384_;
-                phi_385_ = _e253;
-                phi_386_ = _e255;
+                let _e255 = phi_351_;
+                let _e257 = phi_352_;
+                phi_353_ = _e255;
+                phi_354_ = _e257;
             } else {
-                phi_385_ = bool();
-                phi_386_ = true;
+                phi_353_ = bool();
+                phi_354_ = true;
             }
-            let _e257 = phi_385_;
-            let _e259 = phi_386_;
-            if _e259 {
-                phi_390_ = false;
-            } else {
-                phi_390_ = _e257;
-            }
-            let _e261 = phi_390_;
+            let _e259 = phi_353_;
+            let _e261 = phi_354_;
             if _e261 {
+                phi_358_ = false;
+            } else {
+                phi_358_ = _e259;
+            }
+            let _e263 = phi_358_;
+            if _e263 {
                 if (0f > 0f) {
-                    let _e264 = samples.member[(0u + _e53.first_primitive)].normal;
-                    let _e266 = p.member.map_size;
-                    let _e269 = p.member.projection.row_x;
-                    let _e291 = p.member.projection.row_y;
-                    let _e313 = p.member.projection.row_z;
-                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
-                    if (_e340 < 0.002f) {
-                        phi_484_ = _e340;
+                    let _e266 = samples.member[(0u + _e55.first_primitive)].normal;
+                    let _e268 = p.member.map_size;
+                    let _e271 = p.member.projection.row_x;
+                    let _e293 = p.member.projection.row_y;
+                    let _e315 = p.member.projection.row_z;
+                    let _e342 = ((abs(((((_e271.x * _e266.x) + (_e271.y * _e266.y)) + (_e271.z * _e266.z)) / (((_e271.x * _e271.x) + (_e271.y * _e271.y)) + (_e271.z * _e271.z)))) + abs(((((_e293.x * _e266.x) + (_e293.y * _e266.y)) + (_e293.z * _e266.z)) / (((_e293.x * _e293.x) + (_e293.y * _e293.y)) + (_e293.z * _e293.z))))) / (abs(((((_e315.x * _e266.x) + (_e315.y * _e266.y)) + (_e315.z * _e266.z)) / (((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)))) * f32(_e268)));
+                    if (_e342 < 0.002f) {
+                        phi_452_ = _e342;
                     } else {
-                        phi_484_ = 0.002f;
+                        phi_452_ = 0.002f;
                     }
-                    let _e343 = phi_484_;
-                    phi_487_ = (_e234 - (0f * _e343));
+                    let _e345 = phi_452_;
+                    phi_455_ = (_e236 - (0f * _e345));
                 } else {
-                    phi_487_ = _e234;
+                    phi_455_ = _e236;
                 }
-                let _e347 = phi_487_;
-                let _e349 = p.member.map_size;
-                let _e350 = f32(_e349);
-                let _e353 = ((_e207 * _e350) - 0.5f);
-                let _e354 = ((_e221 * _e350) - 0.5f);
-                if (_e353 > -8388608f) {
-                    let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
-                    if (_e366 > _e353) {
+                let _e349 = phi_455_;
+                let _e351 = p.member.map_size;
+                let _e352 = f32(_e351);
+                let _e355 = ((_e209 * _e352) - 0.5f);
+                let _e356 = ((_e223 * _e352) - 0.5f);
+                if (_e355 > -8388608f) {
+                    let _e368 = f32(select(0i, select(select(i32(_e355), i32(-2147483648), (_e355 < bitcast<f32>(3472883712u))), 2147483647i, (_e355 > bitcast<f32>(1325400063u))), (_e355 == _e355)));
+                    if (_e368 > _e355) {
+                        phi_484_ = 1f;
+                    } else {
+                        phi_484_ = 0f;
+                    }
+                    let _e371 = phi_484_;
+                    if (_e355 < 8388608f) {
+                        phi_489_ = (_e368 - _e371);
+                        phi_490_ = false;
+                    } else {
+                        phi_489_ = f32();
+                        phi_490_ = true;
+                    }
+                    let _e374 = phi_489_;
+                    let _e376 = phi_490_;
+                    phi_491_ = _e374;
+                    phi_492_ = _e376;
+                } else {
+                    phi_491_ = f32();
+                    phi_492_ = true;
+                }
+                let _e378 = phi_491_;
+                let _e380 = phi_492_;
+                if _e380 {
+                    phi_496_ = _e355;
+                } else {
+                    phi_496_ = _e378;
+                }
+                let _e382 = phi_496_;
+                if (_e356 > -8388608f) {
+                    let _e394 = f32(select(0i, select(select(i32(_e356), i32(-2147483648), (_e356 < bitcast<f32>(3472883712u))), 2147483647i, (_e356 > bitcast<f32>(1325400063u))), (_e356 == _e356)));
+                    if (_e394 > _e356) {
                         phi_516_ = 1f;
                     } else {
                         phi_516_ = 0f;
                     }
-                    let _e369 = phi_516_;
-                    if (_e353 < 8388608f) {
-                        phi_521_ = (_e366 - _e369);
+                    let _e397 = phi_516_;
+                    if (_e356 < 8388608f) {
+                        phi_521_ = (_e394 - _e397);
                         phi_522_ = false;
                     } else {
                         phi_521_ = f32();
                         phi_522_ = true;
                     }
-                    let _e372 = phi_521_;
-                    let _e374 = phi_522_;
-                    phi_523_ = _e372;
-                    phi_524_ = _e374;
+                    let _e400 = phi_521_;
+                    let _e402 = phi_522_;
+                    phi_523_ = _e400;
+                    phi_524_ = _e402;
                 } else {
                     phi_523_ = f32();
                     phi_524_ = true;
                 }
-                let _e376 = phi_523_;
-                let _e378 = phi_524_;
-                if _e378 {
-                    phi_528_ = _e353;
+                let _e404 = phi_523_;
+                let _e406 = phi_524_;
+                if _e406 {
+                    phi_528_ = _e356;
                 } else {
-                    phi_528_ = _e376;
+                    phi_528_ = _e404;
                 }
-                let _e380 = phi_528_;
-                if (_e354 > -8388608f) {
-                    let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
-                    if (_e392 > _e354) {
-                        phi_548_ = 1f;
-                    } else {
-                        phi_548_ = 0f;
-                    }
-                    let _e395 = phi_548_;
-                    if (_e354 < 8388608f) {
-                        phi_553_ = (_e392 - _e395);
-                        phi_554_ = false;
-                    } else {
-                        phi_553_ = f32();
-                        phi_554_ = true;
-                    }
-                    let _e398 = phi_553_;
-                    let _e400 = phi_554_;
-                    phi_555_ = _e398;
-                    phi_556_ = _e400;
+                let _e408 = phi_528_;
+                let _e409 = (_e355 - _e382);
+                let _e410 = (_e356 - _e408);
+                let _e419 = select(0i, select(select(i32(_e382), i32(-2147483648), (_e382 < bitcast<f32>(3472883712u))), 2147483647i, (_e382 > bitcast<f32>(1325400063u))), (_e382 == _e382));
+                let _e428 = select(0i, select(select(i32(_e408), i32(-2147483648), (_e408 < bitcast<f32>(3472883712u))), 2147483647i, (_e408 > bitcast<f32>(1325400063u))), (_e408 == _e408));
+                let _e439 = p.member.test;
+                let _e440 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e439);
+                let _e442 = p.member.map_size;
+                local = _e440;
+                let _e444 = (bitcast<i32>(_e442) - 1i);
+                if (_e419 > 0i) {
+                    phi_574_ = _e419;
                 } else {
-                    phi_555_ = f32();
-                    phi_556_ = true;
+                    phi_574_ = 0i;
                 }
-                let _e402 = phi_555_;
-                let _e404 = phi_556_;
-                if _e404 {
-                    phi_560_ = _e354;
+                let _e447 = phi_574_;
+                if (_e428 > 0i) {
+                    phi_579_ = _e428;
                 } else {
-                    phi_560_ = _e402;
+                    phi_579_ = 0i;
                 }
-                let _e406 = phi_560_;
-                let _e407 = (_e353 - _e380);
-                let _e408 = (_e354 - _e406);
-                let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
-                let _e426 = select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406));
-                let _e429 = ((1f - _e407) * (1f - _e408));
-                let _e431 = (_e407 * (1f - _e408));
-                let _e433 = ((1f - _e407) * _e408);
-                let _e434 = (_e407 * _e408);
-                let _e436 = p.member.test;
-                let _e437 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e436);
-                let _e439 = p.member.map_size;
-                local_1 = _e437;
-                let _e441 = (bitcast<i32>(_e439) - 1i);
-                if (_e417 > 0i) {
-                    phi_606_ = _e417;
+                let _e450 = phi_579_;
+                if (_e447 < _e444) {
+                    phi_584_ = _e447;
                 } else {
-                    phi_606_ = 0i;
+                    phi_584_ = _e444;
                 }
-                let _e444 = phi_606_;
-                if (_e426 > 0i) {
-                    phi_611_ = _e426;
+                let _e453 = phi_584_;
+                if (_e450 < _e444) {
+                    phi_589_ = _e450;
                 } else {
-                    phi_611_ = 0i;
+                    phi_589_ = _e444;
                 }
-                let _e447 = phi_611_;
-                if (_e444 < _e441) {
-                    phi_616_ = _e444;
+                let _e456 = phi_589_;
+                let _e457 = bitcast<u32>(_e453);
+                let _e459 = (_e419 + 1i);
+                let _e460 = (_e428 + 1i);
+                if (_e459 > 0i) {
+                    phi_598_ = _e459;
                 } else {
-                    phi_616_ = _e441;
+                    phi_598_ = 0i;
                 }
-                let _e450 = phi_616_;
-                if (_e447 < _e441) {
-                    phi_621_ = _e447;
+                let _e463 = phi_598_;
+                if (_e460 > 0i) {
+                    phi_603_ = _e460;
                 } else {
-                    phi_621_ = _e441;
+                    phi_603_ = 0i;
                 }
-                let _e453 = phi_621_;
-                let _e454 = bitcast<u32>(_e450);
-                let _e456 = (_e417 + 1i);
-                let _e457 = (_e426 + 1i);
-                if (_e456 > 0i) {
-                    phi_630_ = _e456;
+                let _e466 = phi_603_;
+                if (_e463 < _e444) {
+                    phi_608_ = _e463;
                 } else {
-                    phi_630_ = 0i;
+                    phi_608_ = _e444;
                 }
-                let _e460 = phi_630_;
-                if (_e457 > 0i) {
-                    phi_635_ = _e457;
+                let _e469 = phi_608_;
+                if (_e466 < _e444) {
+                    phi_613_ = _e466;
                 } else {
-                    phi_635_ = 0i;
+                    phi_613_ = _e444;
                 }
-                let _e463 = phi_635_;
-                if (_e460 < _e441) {
-                    phi_640_ = _e460;
-                } else {
-                    phi_640_ = _e441;
-                }
-                let _e466 = phi_640_;
-                if (_e463 < _e441) {
-                    phi_645_ = _e463;
-                } else {
-                    phi_645_ = _e441;
-                }
-                let _e469 = phi_645_;
-                let _e470 = bitcast<u32>(_e466);
-                let _e472 = (bitcast<u32>(_e453) * _e439);
-                let _e473 = (bitcast<u32>(_e469) * _e439);
-                let _e474 = (_e472 + _e454);
-                let _e475 = (_e472 + _e470);
-                let _e476 = (_e473 + _e454);
-                let _e477 = (_e473 + _e470);
-                if (_e474 < _e44) {
+                let _e472 = phi_613_;
+                let _e473 = bitcast<u32>(_e469);
+                let _e475 = (bitcast<u32>(_e456) * _e442);
+                let _e476 = (bitcast<u32>(_e472) * _e442);
+                let _e477 = (_e475 + _e457);
+                let _e478 = (_e475 + _e473);
+                let _e479 = (_e476 + _e457);
+                let _e480 = (_e476 + _e473);
+                if (_e477 < _e46) {
                 } else {
                     return;
                 }
-                let _e481 = map.member[(0u + _e474)];
-                if (_e475 < _e44) {
+                let _e484 = map.member[(0u + _e477)];
+                if (_e478 < _e46) {
                 } else {
                     return;
                 }
-                let _e485 = map.member[(0u + _e475)];
-                if (_e476 < _e44) {
+                let _e488 = map.member[(0u + _e478)];
+                if (_e479 < _e46) {
                 } else {
                     return;
                 }
-                let _e489 = map.member[(0u + _e476)];
-                if (_e477 < _e44) {
+                let _e492 = map.member[(0u + _e479)];
+                if (_e480 < _e46) {
                 } else {
                     return;
                 }
-                let _e493 = map.member[(0u + _e477)];
-                let _e494 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e481);
-                let _e495 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e485);
-                let _e496 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e489);
-                let _e497 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(_e493);
-                let _e543 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e494.x * _e429) + (_e495.x * _e431)) + (_e496.x * _e433)) + (_e497.x * _e434)), ((((_e494.y * _e429) + (_e495.y * _e431)) + (_e496.y * _e433)) + (_e497.y * _e434)), ((((_e494.z * _e429) + (_e495.z * _e431)) + (_e496.z * _e433)) + (_e497.z * _e434)), ((((_e494.w * _e429) + (_e495.w * _e431)) + (_e496.w * _e433)) + (_e497.w * _e434))), _e347);
-                phi_734_ = evaluate_Verdict(_e543, false);
-                phi_735_ = evaluate_Verdict();
-                phi_736_ = false;
+                let _e496 = map.member[(0u + _e480)];
+                let _e498 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e484, _e488, _e492, _e496), vec4<f32>(((1f - _e409) * (1f - _e410)), (_e409 * (1f - _e410)), ((1f - _e409) * _e410), (_e409 * _e410)), _e349);
+                phi_654_ = evaluate_Verdict(_e498, false);
+                phi_655_ = evaluate_Verdict();
+                phi_656_ = false;
             } else {
-                phi_734_ = evaluate_Verdict();
-                phi_735_ = evaluate_Verdict(1f, false);
-                phi_736_ = true;
+                phi_654_ = evaluate_Verdict();
+                phi_655_ = evaluate_Verdict(1f, false);
+                phi_656_ = true;
             }
-            let _e547 = phi_734_;
-            let _e549 = phi_735_;
-            let _e551 = phi_736_;
-            phi_737_ = _e549;
-            phi_738_ = _e547;
-            phi_739_ = _e551;
+            let _e502 = phi_654_;
+            let _e504 = phi_655_;
+            let _e506 = phi_656_;
+            phi_657_ = _e504;
+            phi_658_ = _e502;
+            phi_659_ = _e506;
         }
-        let _e553 = phi_737_;
-        let _e555 = phi_738_;
-        let _e557 = phi_739_;
-        if _e557 {
-            phi_743_ = _e553;
+        let _e508 = phi_657_;
+        let _e510 = phi_658_;
+        let _e512 = phi_659_;
+        if _e512 {
+            phi_663_ = _e508;
         } else {
-            phi_743_ = _e555;
+            phi_663_ = _e510;
         }
-        let _e559 = phi_743_;
-        if (_e53.first_primitive < arrayLength((&visibility.member))) {
+        let _e514 = phi_663_;
+        if (_e55.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e53.first_primitive)] = _e559.visibility;
+        visibility.member[(0u + _e55.first_primitive)] = _e514.visibility;
     }
     return;
 }

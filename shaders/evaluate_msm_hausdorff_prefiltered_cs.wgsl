@@ -119,55 +119,55 @@ fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
-    var phi_920_: f32;
-    var phi_921_: f32;
-    var phi_922_: f32;
-    var phi_949_: f32;
-    var phi_950_: f32;
-    var phi_951_: f32;
-    var phi_952_: f32;
-    var phi_953_: bool;
-    var phi_954_: f32;
-    var phi_955_: bool;
-    var phi_983_: f32;
-    var phi_984_: f32;
-    var phi_985_: f32;
-    var phi_986_: f32;
-    var phi_987_: bool;
-    var phi_988_: f32;
-    var phi_989_: bool;
-    var phi_996_: f32;
-    var phi_997_: f32;
-    var phi_998_: f32;
-    var phi_999_: f32;
+    var phi_1490_: f32;
+    var phi_1491_: f32;
+    var phi_1492_: f32;
+    var phi_1519_: f32;
+    var phi_1520_: f32;
+    var phi_1521_: f32;
+    var phi_1522_: f32;
+    var phi_1523_: bool;
+    var phi_1524_: f32;
+    var phi_1525_: bool;
+    var phi_1553_: f32;
+    var phi_1554_: f32;
+    var phi_1555_: f32;
+    var phi_1556_: f32;
+    var phi_1557_: bool;
+    var phi_1558_: f32;
+    var phi_1559_: bool;
+    var phi_1566_: f32;
+    var phi_1567_: f32;
+    var phi_1568_: f32;
+    var phi_1569_: f32;
 
     let _e39 = (*param_9).moments;
     if (param_10 < 0.0001f) {
-        phi_999_ = 1f;
+        phi_1569_ = 1f;
     } else {
         let _e48 = ((_e39.z - ((1f + param_10) * _e39.y)) + (param_10 * _e39.x));
         let _e57 = (((_e39.w - ((1f + param_10) * _e39.z)) + (param_10 * _e39.y)) / _e48);
         if (abs(_e48) <= 0.00000047683716f) {
             let _e71 = (1f - (((_e39.y - (_e39.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
             if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-                phi_922_ = _e71;
+                phi_1492_ = _e71;
             } else {
                 if (_e71 < 0f) {
-                    phi_921_ = 0f;
+                    phi_1491_ = 0f;
                 } else {
                     if (_e71 > 1f) {
-                        phi_920_ = 1f;
+                        phi_1490_ = 1f;
                     } else {
-                        phi_920_ = _e71;
+                        phi_1490_ = _e71;
                     }
-                    let _e78 = phi_920_;
-                    phi_921_ = _e78;
+                    let _e78 = phi_1490_;
+                    phi_1491_ = _e78;
                 }
-                let _e80 = phi_921_;
-                phi_922_ = _e80;
+                let _e80 = phi_1491_;
+                phi_1492_ = _e80;
             }
-            let _e82 = phi_922_;
-            phi_998_ = _e82;
+            let _e82 = phi_1492_;
+            phi_1568_ = _e82;
         } else {
             if (_e57 > 0f) {
                 if (_e57 < param_10) {
@@ -175,171 +175,171 @@ fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFa
                     let _e87 = lt_math_hausdorff_cubic_mass(_e39, _e57, 0f, param_10, 1f);
                     let _e88 = ((1f - _e85) - _e87);
                     if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
-                        phi_951_ = _e88;
+                        phi_1521_ = _e88;
                     } else {
                         if (_e88 < 0f) {
-                            phi_950_ = 0f;
+                            phi_1520_ = 0f;
                         } else {
                             if (_e88 > 1f) {
-                                phi_949_ = 1f;
+                                phi_1519_ = 1f;
                             } else {
-                                phi_949_ = _e88;
+                                phi_1519_ = _e88;
                             }
-                            let _e95 = phi_949_;
-                            phi_950_ = _e95;
+                            let _e95 = phi_1519_;
+                            phi_1520_ = _e95;
                         }
-                        let _e97 = phi_950_;
-                        phi_951_ = _e97;
+                        let _e97 = phi_1520_;
+                        phi_1521_ = _e97;
                     }
-                    let _e99 = phi_951_;
-                    phi_952_ = _e99;
-                    phi_953_ = false;
+                    let _e99 = phi_1521_;
+                    phi_1522_ = _e99;
+                    phi_1523_ = false;
                 } else {
-                    phi_952_ = f32();
-                    phi_953_ = true;
+                    phi_1522_ = f32();
+                    phi_1523_ = true;
                 }
-                let _e101 = phi_952_;
-                let _e103 = phi_953_;
-                phi_954_ = _e101;
-                phi_955_ = _e103;
+                let _e101 = phi_1522_;
+                let _e103 = phi_1523_;
+                phi_1524_ = _e101;
+                phi_1525_ = _e103;
             } else {
-                phi_954_ = f32();
-                phi_955_ = true;
+                phi_1524_ = f32();
+                phi_1525_ = true;
             }
-            let _e105 = phi_954_;
-            let _e107 = phi_955_;
+            let _e105 = phi_1524_;
+            let _e107 = phi_1525_;
             if _e107 {
                 if (_e57 > param_10) {
                     if (_e57 < 1f) {
                         let _e110 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_10, 1f);
                         let _e111 = (1f - _e110);
                         if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                            phi_985_ = _e111;
+                            phi_1555_ = _e111;
                         } else {
                             if (_e111 < 0f) {
-                                phi_984_ = 0f;
+                                phi_1554_ = 0f;
                             } else {
                                 if (_e111 > 1f) {
-                                    phi_983_ = 1f;
+                                    phi_1553_ = 1f;
                                 } else {
-                                    phi_983_ = _e111;
+                                    phi_1553_ = _e111;
                                 }
-                                let _e118 = phi_983_;
-                                phi_984_ = _e118;
+                                let _e118 = phi_1553_;
+                                phi_1554_ = _e118;
                             }
-                            let _e120 = phi_984_;
-                            phi_985_ = _e120;
+                            let _e120 = phi_1554_;
+                            phi_1555_ = _e120;
                         }
-                        let _e122 = phi_985_;
-                        phi_986_ = _e122;
-                        phi_987_ = false;
+                        let _e122 = phi_1555_;
+                        phi_1556_ = _e122;
+                        phi_1557_ = false;
                     } else {
-                        phi_986_ = f32();
-                        phi_987_ = true;
+                        phi_1556_ = f32();
+                        phi_1557_ = true;
                     }
-                    let _e124 = phi_986_;
-                    let _e126 = phi_987_;
-                    phi_988_ = _e124;
-                    phi_989_ = _e126;
+                    let _e124 = phi_1556_;
+                    let _e126 = phi_1557_;
+                    phi_1558_ = _e124;
+                    phi_1559_ = _e126;
                 } else {
-                    phi_988_ = f32();
-                    phi_989_ = true;
+                    phi_1558_ = f32();
+                    phi_1559_ = true;
                 }
-                let _e128 = phi_988_;
-                let _e130 = phi_989_;
+                let _e128 = phi_1558_;
+                let _e130 = phi_1559_;
                 if _e130 {
-                    phi_996_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
+                    phi_1566_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
                 } else {
-                    phi_996_ = _e128;
+                    phi_1566_ = _e128;
                 }
-                let _e135 = phi_996_;
-                phi_997_ = _e135;
+                let _e135 = phi_1566_;
+                phi_1567_ = _e135;
             } else {
-                phi_997_ = _e105;
+                phi_1567_ = _e105;
             }
-            let _e137 = phi_997_;
-            phi_998_ = _e137;
+            let _e137 = phi_1567_;
+            phi_1568_ = _e137;
         }
-        let _e139 = phi_998_;
-        phi_999_ = _e139;
+        let _e139 = phi_1568_;
+        phi_1569_ = _e139;
     }
-    let _e141 = phi_999_;
+    let _e141 = phi_1569_;
     return _e141;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_11: ptr<function, f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
     var local: hankel_HankelFactors;
-    var phi_207_: f32;
-    var phi_208_: f32;
-    var phi_209_: f32;
-    var phi_221_: bool;
-    var phi_236_: bool;
-    var phi_261_: f32;
-    var phi_262_: f32;
-    var phi_263_: f32;
-    var phi_264_: f32;
-    var phi_265_: bool;
-    var phi_266_: f32;
-    var phi_267_: bool;
-    var phi_323_: vec2<f32>;
-    var phi_361_: f32;
-    var phi_362_: f32;
-    var phi_363_: f32;
-    var phi_396_: f32;
-    var phi_397_: f32;
-    var phi_398_: f32;
-    var phi_402_: f32;
-    var phi_403_: f32;
-    var phi_404_: f32;
-    var phi_405_: f32;
-    var phi_458_: vec2<f32>;
-    var phi_480_: bool;
-    var phi_505_: f32;
-    var phi_506_: f32;
-    var phi_507_: f32;
-    var phi_508_: f32;
-    var phi_509_: bool;
-    var phi_510_: f32;
-    var phi_511_: bool;
-    var phi_567_: vec2<f32>;
-    var phi_605_: f32;
-    var phi_606_: f32;
-    var phi_607_: f32;
-    var phi_640_: f32;
-    var phi_641_: f32;
-    var phi_642_: f32;
-    var phi_646_: f32;
-    var phi_647_: f32;
-    var phi_648_: f32;
-    var phi_649_: f32;
-    var phi_650_: f32;
-    var phi_651_: bool;
-    var phi_652_: f32;
-    var phi_653_: bool;
-    var phi_675_: bool;
-    var phi_700_: f32;
-    var phi_701_: f32;
-    var phi_702_: f32;
-    var phi_703_: f32;
-    var phi_704_: bool;
-    var phi_705_: f32;
-    var phi_706_: bool;
-    var phi_762_: vec2<f32>;
-    var phi_800_: f32;
-    var phi_801_: f32;
-    var phi_802_: f32;
-    var phi_835_: f32;
+    var phi_777_: f32;
+    var phi_778_: f32;
+    var phi_779_: f32;
+    var phi_791_: bool;
+    var phi_806_: bool;
+    var phi_831_: f32;
+    var phi_832_: f32;
+    var phi_833_: f32;
+    var phi_834_: f32;
+    var phi_835_: bool;
     var phi_836_: f32;
-    var phi_837_: f32;
-    var phi_841_: f32;
-    var phi_842_: f32;
-    var phi_843_: f32;
-    var phi_844_: f32;
-    var phi_855_: bool;
-    var phi_859_: f32;
-    var phi_860_: f32;
-    var phi_861_: f32;
-    var phi_862_: f32;
+    var phi_837_: bool;
+    var phi_893_: vec2<f32>;
+    var phi_931_: f32;
+    var phi_932_: f32;
+    var phi_933_: f32;
+    var phi_966_: f32;
+    var phi_967_: f32;
+    var phi_968_: f32;
+    var phi_972_: f32;
+    var phi_973_: f32;
+    var phi_974_: f32;
+    var phi_975_: f32;
+    var phi_1028_: vec2<f32>;
+    var phi_1050_: bool;
+    var phi_1075_: f32;
+    var phi_1076_: f32;
+    var phi_1077_: f32;
+    var phi_1078_: f32;
+    var phi_1079_: bool;
+    var phi_1080_: f32;
+    var phi_1081_: bool;
+    var phi_1137_: vec2<f32>;
+    var phi_1175_: f32;
+    var phi_1176_: f32;
+    var phi_1177_: f32;
+    var phi_1210_: f32;
+    var phi_1211_: f32;
+    var phi_1212_: f32;
+    var phi_1216_: f32;
+    var phi_1217_: f32;
+    var phi_1218_: f32;
+    var phi_1219_: f32;
+    var phi_1220_: f32;
+    var phi_1221_: bool;
+    var phi_1222_: f32;
+    var phi_1223_: bool;
+    var phi_1245_: bool;
+    var phi_1270_: f32;
+    var phi_1271_: f32;
+    var phi_1272_: f32;
+    var phi_1273_: f32;
+    var phi_1274_: bool;
+    var phi_1275_: f32;
+    var phi_1276_: bool;
+    var phi_1332_: vec2<f32>;
+    var phi_1370_: f32;
+    var phi_1371_: f32;
+    var phi_1372_: f32;
+    var phi_1405_: f32;
+    var phi_1406_: f32;
+    var phi_1407_: f32;
+    var phi_1411_: f32;
+    var phi_1412_: f32;
+    var phi_1413_: f32;
+    var phi_1414_: f32;
+    var phi_1425_: bool;
+    var phi_1429_: f32;
+    var phi_1430_: f32;
+    var phi_1431_: f32;
+    var phi_1432_: f32;
 
     let _e40 = (*param_11);
     let _e41 = (1f - _e40);
@@ -353,79 +353,79 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     let _e65 = hankel_HankelFactors(vec4<f32>(_e51, _e52, _e53, _e54), _e57, _e59, (((_e54 - (_e52 * _e52)) * _e57) - (_e59 * _e59)));
     local = hankel_HankelFactors(_e65.moments, _e65.d22_, _e65.l32_d22_, _e65.d33_d22_);
     if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_209_ = param_13;
+        phi_779_ = param_13;
     } else {
         if (param_13 < 0f) {
-            phi_208_ = 0f;
+            phi_778_ = 0f;
         } else {
             if (param_13 > 1f) {
-                phi_207_ = 1f;
+                phi_777_ = 1f;
             } else {
-                phi_207_ = param_13;
+                phi_777_ = param_13;
             }
-            let _e77 = phi_207_;
-            phi_208_ = _e77;
+            let _e77 = phi_777_;
+            phi_778_ = _e77;
         }
-        let _e79 = phi_208_;
-        phi_209_ = _e79;
+        let _e79 = phi_778_;
+        phi_779_ = _e79;
     }
-    let _e81 = phi_209_;
+    let _e81 = phi_779_;
     let _e84 = local.moments[0u];
     let _e87 = local.moments[3u];
     if (_e84 == _e87) {
         let _e91 = local.moments[0u];
-        phi_221_ = (_e91 > 0.5f);
+        phi_791_ = (_e91 > 0.5f);
     } else {
-        phi_221_ = false;
+        phi_791_ = false;
     }
-    let _e94 = phi_221_;
+    let _e94 = phi_791_;
     if _e94 {
         let _e97 = local.moments[0u];
         let _e100 = local.moments[3u];
         if (_e97 == _e100) {
             let _e104 = local.moments[0u];
-            phi_236_ = (_e104 > 0.5f);
+            phi_806_ = (_e104 > 0.5f);
         } else {
-            phi_236_ = false;
+            phi_806_ = false;
         }
-        let _e107 = phi_236_;
+        let _e107 = phi_806_;
         if _e107 {
             if (_e81 > 0f) {
                 let _e110 = local.moments;
                 if ((bitcast<u32>(_e110.x) & 2147483647u) > 2139095040u) {
-                    phi_263_ = _e110.x;
+                    phi_833_ = _e110.x;
                 } else {
                     if (_e110.x < 0f) {
-                        phi_262_ = 0f;
+                        phi_832_ = 0f;
                     } else {
                         if (_e110.x > 1f) {
-                            phi_261_ = 1f;
+                            phi_831_ = 1f;
                         } else {
-                            phi_261_ = _e110.x;
+                            phi_831_ = _e110.x;
                         }
-                        let _e118 = phi_261_;
-                        phi_262_ = _e118;
+                        let _e118 = phi_831_;
+                        phi_832_ = _e118;
                     }
-                    let _e120 = phi_262_;
-                    phi_263_ = _e120;
+                    let _e120 = phi_832_;
+                    phi_833_ = _e120;
                 }
-                let _e122 = phi_263_;
-                phi_264_ = _e122;
-                phi_265_ = false;
+                let _e122 = phi_833_;
+                phi_834_ = _e122;
+                phi_835_ = false;
             } else {
-                phi_264_ = f32();
-                phi_265_ = true;
+                phi_834_ = f32();
+                phi_835_ = true;
             }
-            let _e124 = phi_264_;
-            let _e126 = phi_265_;
-            phi_266_ = _e124;
-            phi_267_ = _e126;
+            let _e124 = phi_834_;
+            let _e126 = phi_835_;
+            phi_836_ = _e124;
+            phi_837_ = _e126;
         } else {
-            phi_266_ = f32();
-            phi_267_ = true;
+            phi_836_ = f32();
+            phi_837_ = true;
         }
-        let _e128 = phi_266_;
-        let _e130 = phi_267_;
+        let _e128 = phi_836_;
+        let _e130 = phi_837_;
         if _e130 {
             let _e133 = local.moments[0u];
             let _e136 = local.moments[1u];
@@ -442,75 +442,75 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e172 = ((_e169 * _e169) - (((1f - (_e163 * _e133)) - (_e158 * _e136)) / _e158));
             if (_e172 >= 0f) {
                 let _e174 = sqrt(_e172);
-                phi_323_ = vec2<f32>((-(_e169) - _e174), (-(_e169) + _e174));
+                phi_893_ = vec2<f32>((-(_e169) - _e174), (-(_e169) + _e174));
             } else {
-                phi_323_ = vec2(bitcast<f32>((bitcast<u32>(_e172) | 2143289344u)));
+                phi_893_ = vec2(bitcast<f32>((bitcast<u32>(_e172) | 2143289344u)));
             }
-            let _e185 = phi_323_;
+            let _e185 = phi_893_;
             if (_e81 <= _e185.x) {
-                phi_404_ = 1f;
+                phi_974_ = 1f;
             } else {
                 if (_e81 > _e185.y) {
                     let _e191 = local.moments;
                     let _e202 = (((_e191.y - (_e191.x * (_e185.x + _e185.y))) + (_e185.x * _e185.y)) / ((_e81 - _e185.x) * (_e81 - _e185.y)));
                     if ((bitcast<u32>(_e202) & 2147483647u) > 2139095040u) {
-                        phi_363_ = _e202;
+                        phi_933_ = _e202;
                     } else {
                         if (_e202 < 0f) {
-                            phi_362_ = 0f;
+                            phi_932_ = 0f;
                         } else {
                             if (_e202 > 1f) {
-                                phi_361_ = 1f;
+                                phi_931_ = 1f;
                             } else {
-                                phi_361_ = _e202;
+                                phi_931_ = _e202;
                             }
-                            let _e209 = phi_361_;
-                            phi_362_ = _e209;
+                            let _e209 = phi_931_;
+                            phi_932_ = _e209;
                         }
-                        let _e211 = phi_362_;
-                        phi_363_ = _e211;
+                        let _e211 = phi_932_;
+                        phi_933_ = _e211;
                     }
-                    let _e213 = phi_363_;
-                    phi_403_ = _e213;
+                    let _e213 = phi_933_;
+                    phi_973_ = _e213;
                 } else {
                     if (_e81 > _e185.x) {
                         let _e216 = local.moments;
                         let _e228 = (1f - (((_e216.y - (_e216.x * (_e81 + _e185.y))) + (_e81 * _e185.y)) / ((_e185.x - _e81) * (_e185.x - _e185.y))));
                         if ((bitcast<u32>(_e228) & 2147483647u) > 2139095040u) {
-                            phi_398_ = _e228;
+                            phi_968_ = _e228;
                         } else {
                             if (_e228 < 0f) {
-                                phi_397_ = 0f;
+                                phi_967_ = 0f;
                             } else {
                                 if (_e228 > 1f) {
-                                    phi_396_ = 1f;
+                                    phi_966_ = 1f;
                                 } else {
-                                    phi_396_ = _e228;
+                                    phi_966_ = _e228;
                                 }
-                                let _e235 = phi_396_;
-                                phi_397_ = _e235;
+                                let _e235 = phi_966_;
+                                phi_967_ = _e235;
                             }
-                            let _e237 = phi_397_;
-                            phi_398_ = _e237;
+                            let _e237 = phi_967_;
+                            phi_968_ = _e237;
                         }
-                        let _e239 = phi_398_;
-                        phi_402_ = _e239;
+                        let _e239 = phi_968_;
+                        phi_972_ = _e239;
                     } else {
-                        phi_402_ = bitcast<f32>((bitcast<u32>(_e185.x) | 2143289344u));
+                        phi_972_ = bitcast<f32>((bitcast<u32>(_e185.x) | 2143289344u));
                     }
-                    let _e244 = phi_402_;
-                    phi_403_ = _e244;
+                    let _e244 = phi_972_;
+                    phi_973_ = _e244;
                 }
-                let _e246 = phi_403_;
-                phi_404_ = _e246;
+                let _e246 = phi_973_;
+                phi_974_ = _e246;
             }
-            let _e248 = phi_404_;
-            phi_405_ = _e248;
+            let _e248 = phi_974_;
+            phi_975_ = _e248;
         } else {
-            phi_405_ = _e128;
+            phi_975_ = _e128;
         }
-        let _e250 = phi_405_;
-        phi_862_ = _e250;
+        let _e250 = phi_975_;
+        phi_1432_ = _e250;
     } else {
         let _e253 = local.moments[0u];
         let _e256 = local.moments[1u];
@@ -527,59 +527,59 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
         let _e292 = ((_e289 * _e289) - (((1f - (_e283 * _e253)) - (_e278 * _e256)) / _e278));
         if (_e292 >= 0f) {
             let _e294 = sqrt(_e292);
-            phi_458_ = vec2<f32>((-(_e289) - _e294), (-(_e289) + _e294));
+            phi_1028_ = vec2<f32>((-(_e289) - _e294), (-(_e289) + _e294));
         } else {
-            phi_458_ = vec2(bitcast<f32>((bitcast<u32>(_e292) | 2143289344u)));
+            phi_1028_ = vec2(bitcast<f32>((bitcast<u32>(_e292) | 2143289344u)));
         }
-        let _e305 = phi_458_;
+        let _e305 = phi_1028_;
         if (_e305.x >= 0f) {
             if (_e305.y <= 1f) {
                 let _e312 = local.moments[0u];
                 let _e315 = local.moments[3u];
                 if (_e312 == _e315) {
                     let _e319 = local.moments[0u];
-                    phi_480_ = (_e319 > 0.5f);
+                    phi_1050_ = (_e319 > 0.5f);
                 } else {
-                    phi_480_ = false;
+                    phi_1050_ = false;
                 }
-                let _e322 = phi_480_;
+                let _e322 = phi_1050_;
                 if _e322 {
                     if (_e81 > 0f) {
                         let _e325 = local.moments;
                         if ((bitcast<u32>(_e325.x) & 2147483647u) > 2139095040u) {
-                            phi_507_ = _e325.x;
+                            phi_1077_ = _e325.x;
                         } else {
                             if (_e325.x < 0f) {
-                                phi_506_ = 0f;
+                                phi_1076_ = 0f;
                             } else {
                                 if (_e325.x > 1f) {
-                                    phi_505_ = 1f;
+                                    phi_1075_ = 1f;
                                 } else {
-                                    phi_505_ = _e325.x;
+                                    phi_1075_ = _e325.x;
                                 }
-                                let _e333 = phi_505_;
-                                phi_506_ = _e333;
+                                let _e333 = phi_1075_;
+                                phi_1076_ = _e333;
                             }
-                            let _e335 = phi_506_;
-                            phi_507_ = _e335;
+                            let _e335 = phi_1076_;
+                            phi_1077_ = _e335;
                         }
-                        let _e337 = phi_507_;
-                        phi_508_ = _e337;
-                        phi_509_ = false;
+                        let _e337 = phi_1077_;
+                        phi_1078_ = _e337;
+                        phi_1079_ = false;
                     } else {
-                        phi_508_ = f32();
-                        phi_509_ = true;
+                        phi_1078_ = f32();
+                        phi_1079_ = true;
                     }
-                    let _e339 = phi_508_;
-                    let _e341 = phi_509_;
-                    phi_510_ = _e339;
-                    phi_511_ = _e341;
+                    let _e339 = phi_1078_;
+                    let _e341 = phi_1079_;
+                    phi_1080_ = _e339;
+                    phi_1081_ = _e341;
                 } else {
-                    phi_510_ = f32();
-                    phi_511_ = true;
+                    phi_1080_ = f32();
+                    phi_1081_ = true;
                 }
-                let _e343 = phi_510_;
-                let _e345 = phi_511_;
+                let _e343 = phi_1080_;
+                let _e345 = phi_1081_;
                 if _e345 {
                     let _e348 = local.moments[0u];
                     let _e351 = local.moments[1u];
@@ -596,141 +596,141 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
                     let _e387 = ((_e384 * _e384) - (((1f - (_e378 * _e348)) - (_e373 * _e351)) / _e373));
                     if (_e387 >= 0f) {
                         let _e389 = sqrt(_e387);
-                        phi_567_ = vec2<f32>((-(_e384) - _e389), (-(_e384) + _e389));
+                        phi_1137_ = vec2<f32>((-(_e384) - _e389), (-(_e384) + _e389));
                     } else {
-                        phi_567_ = vec2(bitcast<f32>((bitcast<u32>(_e387) | 2143289344u)));
+                        phi_1137_ = vec2(bitcast<f32>((bitcast<u32>(_e387) | 2143289344u)));
                     }
-                    let _e400 = phi_567_;
+                    let _e400 = phi_1137_;
                     if (_e81 <= _e400.x) {
-                        phi_648_ = 1f;
+                        phi_1218_ = 1f;
                     } else {
                         if (_e81 > _e400.y) {
                             let _e406 = local.moments;
                             let _e417 = (((_e406.y - (_e406.x * (_e400.x + _e400.y))) + (_e400.x * _e400.y)) / ((_e81 - _e400.x) * (_e81 - _e400.y)));
                             if ((bitcast<u32>(_e417) & 2147483647u) > 2139095040u) {
-                                phi_607_ = _e417;
+                                phi_1177_ = _e417;
                             } else {
                                 if (_e417 < 0f) {
-                                    phi_606_ = 0f;
+                                    phi_1176_ = 0f;
                                 } else {
                                     if (_e417 > 1f) {
-                                        phi_605_ = 1f;
+                                        phi_1175_ = 1f;
                                     } else {
-                                        phi_605_ = _e417;
+                                        phi_1175_ = _e417;
                                     }
-                                    let _e424 = phi_605_;
-                                    phi_606_ = _e424;
+                                    let _e424 = phi_1175_;
+                                    phi_1176_ = _e424;
                                 }
-                                let _e426 = phi_606_;
-                                phi_607_ = _e426;
+                                let _e426 = phi_1176_;
+                                phi_1177_ = _e426;
                             }
-                            let _e428 = phi_607_;
-                            phi_647_ = _e428;
+                            let _e428 = phi_1177_;
+                            phi_1217_ = _e428;
                         } else {
                             if (_e81 > _e400.x) {
                                 let _e431 = local.moments;
                                 let _e443 = (1f - (((_e431.y - (_e431.x * (_e81 + _e400.y))) + (_e81 * _e400.y)) / ((_e400.x - _e81) * (_e400.x - _e400.y))));
                                 if ((bitcast<u32>(_e443) & 2147483647u) > 2139095040u) {
-                                    phi_642_ = _e443;
+                                    phi_1212_ = _e443;
                                 } else {
                                     if (_e443 < 0f) {
-                                        phi_641_ = 0f;
+                                        phi_1211_ = 0f;
                                     } else {
                                         if (_e443 > 1f) {
-                                            phi_640_ = 1f;
+                                            phi_1210_ = 1f;
                                         } else {
-                                            phi_640_ = _e443;
+                                            phi_1210_ = _e443;
                                         }
-                                        let _e450 = phi_640_;
-                                        phi_641_ = _e450;
+                                        let _e450 = phi_1210_;
+                                        phi_1211_ = _e450;
                                     }
-                                    let _e452 = phi_641_;
-                                    phi_642_ = _e452;
+                                    let _e452 = phi_1211_;
+                                    phi_1212_ = _e452;
                                 }
-                                let _e454 = phi_642_;
-                                phi_646_ = _e454;
+                                let _e454 = phi_1212_;
+                                phi_1216_ = _e454;
                             } else {
-                                phi_646_ = bitcast<f32>((bitcast<u32>(_e400.x) | 2143289344u));
+                                phi_1216_ = bitcast<f32>((bitcast<u32>(_e400.x) | 2143289344u));
                             }
-                            let _e459 = phi_646_;
-                            phi_647_ = _e459;
+                            let _e459 = phi_1216_;
+                            phi_1217_ = _e459;
                         }
-                        let _e461 = phi_647_;
-                        phi_648_ = _e461;
+                        let _e461 = phi_1217_;
+                        phi_1218_ = _e461;
                     }
-                    let _e463 = phi_648_;
-                    phi_649_ = _e463;
+                    let _e463 = phi_1218_;
+                    phi_1219_ = _e463;
                 } else {
-                    phi_649_ = _e343;
+                    phi_1219_ = _e343;
                 }
-                let _e465 = phi_649_;
-                phi_650_ = _e465;
-                phi_651_ = false;
+                let _e465 = phi_1219_;
+                phi_1220_ = _e465;
+                phi_1221_ = false;
             } else {
-                phi_650_ = f32();
-                phi_651_ = true;
+                phi_1220_ = f32();
+                phi_1221_ = true;
             }
-            let _e467 = phi_650_;
-            let _e469 = phi_651_;
-            phi_652_ = _e467;
-            phi_653_ = _e469;
+            let _e467 = phi_1220_;
+            let _e469 = phi_1221_;
+            phi_1222_ = _e467;
+            phi_1223_ = _e469;
         } else {
-            phi_652_ = f32();
-            phi_653_ = true;
+            phi_1222_ = f32();
+            phi_1223_ = true;
         }
-        let _e471 = phi_652_;
-        let _e473 = phi_653_;
+        let _e471 = phi_1222_;
+        let _e473 = phi_1223_;
         if _e473 {
             if ((bitcast<u32>(_e305.x) & 2147483647u) > 2139095040u) {
-                phi_860_ = _e305.x;
+                phi_1430_ = _e305.x;
             } else {
                 let _e477 = lt_math_hausdorff_endpoint_upper_bound((&local), _e81);
                 let _e480 = local.moments[0u];
                 let _e483 = local.moments[3u];
                 if (_e480 == _e483) {
                     let _e487 = local.moments[0u];
-                    phi_675_ = (_e487 > 0.5f);
+                    phi_1245_ = (_e487 > 0.5f);
                 } else {
-                    phi_675_ = false;
+                    phi_1245_ = false;
                 }
-                let _e490 = phi_675_;
+                let _e490 = phi_1245_;
                 if _e490 {
                     if (_e81 > 0f) {
                         let _e493 = local.moments;
                         if ((bitcast<u32>(_e493.x) & 2147483647u) > 2139095040u) {
-                            phi_702_ = _e493.x;
+                            phi_1272_ = _e493.x;
                         } else {
                             if (_e493.x < 0f) {
-                                phi_701_ = 0f;
+                                phi_1271_ = 0f;
                             } else {
                                 if (_e493.x > 1f) {
-                                    phi_700_ = 1f;
+                                    phi_1270_ = 1f;
                                 } else {
-                                    phi_700_ = _e493.x;
+                                    phi_1270_ = _e493.x;
                                 }
-                                let _e501 = phi_700_;
-                                phi_701_ = _e501;
+                                let _e501 = phi_1270_;
+                                phi_1271_ = _e501;
                             }
-                            let _e503 = phi_701_;
-                            phi_702_ = _e503;
+                            let _e503 = phi_1271_;
+                            phi_1272_ = _e503;
                         }
-                        let _e505 = phi_702_;
-                        phi_703_ = _e505;
-                        phi_704_ = false;
+                        let _e505 = phi_1272_;
+                        phi_1273_ = _e505;
+                        phi_1274_ = false;
                     } else {
-                        phi_703_ = f32();
-                        phi_704_ = true;
+                        phi_1273_ = f32();
+                        phi_1274_ = true;
                     }
-                    let _e507 = phi_703_;
-                    let _e509 = phi_704_;
-                    phi_705_ = _e507;
-                    phi_706_ = _e509;
+                    let _e507 = phi_1273_;
+                    let _e509 = phi_1274_;
+                    phi_1275_ = _e507;
+                    phi_1276_ = _e509;
                 } else {
-                    phi_705_ = f32();
-                    phi_706_ = true;
+                    phi_1275_ = f32();
+                    phi_1276_ = true;
                 }
-                let _e511 = phi_705_;
-                let _e513 = phi_706_;
+                let _e511 = phi_1275_;
+                let _e513 = phi_1276_;
                 if _e513 {
                     let _e516 = local.moments[0u];
                     let _e519 = local.moments[1u];
@@ -747,151 +747,151 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
                     let _e555 = ((_e552 * _e552) - (((1f - (_e546 * _e516)) - (_e541 * _e519)) / _e541));
                     if (_e555 >= 0f) {
                         let _e557 = sqrt(_e555);
-                        phi_762_ = vec2<f32>((-(_e552) - _e557), (-(_e552) + _e557));
+                        phi_1332_ = vec2<f32>((-(_e552) - _e557), (-(_e552) + _e557));
                     } else {
-                        phi_762_ = vec2(bitcast<f32>((bitcast<u32>(_e555) | 2143289344u)));
+                        phi_1332_ = vec2(bitcast<f32>((bitcast<u32>(_e555) | 2143289344u)));
                     }
-                    let _e568 = phi_762_;
+                    let _e568 = phi_1332_;
                     if (_e81 <= _e568.x) {
-                        phi_843_ = 1f;
+                        phi_1413_ = 1f;
                     } else {
                         if (_e81 > _e568.y) {
                             let _e574 = local.moments;
                             let _e585 = (((_e574.y - (_e574.x * (_e568.x + _e568.y))) + (_e568.x * _e568.y)) / ((_e81 - _e568.x) * (_e81 - _e568.y)));
                             if ((bitcast<u32>(_e585) & 2147483647u) > 2139095040u) {
-                                phi_802_ = _e585;
+                                phi_1372_ = _e585;
                             } else {
                                 if (_e585 < 0f) {
-                                    phi_801_ = 0f;
+                                    phi_1371_ = 0f;
                                 } else {
                                     if (_e585 > 1f) {
-                                        phi_800_ = 1f;
+                                        phi_1370_ = 1f;
                                     } else {
-                                        phi_800_ = _e585;
+                                        phi_1370_ = _e585;
                                     }
-                                    let _e592 = phi_800_;
-                                    phi_801_ = _e592;
+                                    let _e592 = phi_1370_;
+                                    phi_1371_ = _e592;
                                 }
-                                let _e594 = phi_801_;
-                                phi_802_ = _e594;
+                                let _e594 = phi_1371_;
+                                phi_1372_ = _e594;
                             }
-                            let _e596 = phi_802_;
-                            phi_842_ = _e596;
+                            let _e596 = phi_1372_;
+                            phi_1412_ = _e596;
                         } else {
                             if (_e81 > _e568.x) {
                                 let _e599 = local.moments;
                                 let _e611 = (1f - (((_e599.y - (_e599.x * (_e81 + _e568.y))) + (_e81 * _e568.y)) / ((_e568.x - _e81) * (_e568.x - _e568.y))));
                                 if ((bitcast<u32>(_e611) & 2147483647u) > 2139095040u) {
-                                    phi_837_ = _e611;
+                                    phi_1407_ = _e611;
                                 } else {
                                     if (_e611 < 0f) {
-                                        phi_836_ = 0f;
+                                        phi_1406_ = 0f;
                                     } else {
                                         if (_e611 > 1f) {
-                                            phi_835_ = 1f;
+                                            phi_1405_ = 1f;
                                         } else {
-                                            phi_835_ = _e611;
+                                            phi_1405_ = _e611;
                                         }
-                                        let _e618 = phi_835_;
-                                        phi_836_ = _e618;
+                                        let _e618 = phi_1405_;
+                                        phi_1406_ = _e618;
                                     }
-                                    let _e620 = phi_836_;
-                                    phi_837_ = _e620;
+                                    let _e620 = phi_1406_;
+                                    phi_1407_ = _e620;
                                 }
-                                let _e622 = phi_837_;
-                                phi_841_ = _e622;
+                                let _e622 = phi_1407_;
+                                phi_1411_ = _e622;
                             } else {
-                                phi_841_ = bitcast<f32>((bitcast<u32>(_e568.x) | 2143289344u));
+                                phi_1411_ = bitcast<f32>((bitcast<u32>(_e568.x) | 2143289344u));
                             }
-                            let _e627 = phi_841_;
-                            phi_842_ = _e627;
+                            let _e627 = phi_1411_;
+                            phi_1412_ = _e627;
                         }
-                        let _e629 = phi_842_;
-                        phi_843_ = _e629;
+                        let _e629 = phi_1412_;
+                        phi_1413_ = _e629;
                     }
-                    let _e631 = phi_843_;
-                    phi_844_ = _e631;
+                    let _e631 = phi_1413_;
+                    phi_1414_ = _e631;
                 } else {
-                    phi_844_ = _e511;
+                    phi_1414_ = _e511;
                 }
-                let _e633 = phi_844_;
+                let _e633 = phi_1414_;
                 if ((bitcast<u32>(_e633) & 2147483647u) > 2139095040u) {
-                    phi_855_ = true;
+                    phi_1425_ = true;
                 } else {
                     let _e637 = (_e633 < _e477);
                     if _e637 {
                     }
-                    phi_855_ = _e637;
+                    phi_1425_ = _e637;
                 }
-                let _e639 = phi_855_;
+                let _e639 = phi_1425_;
                 if _e639 {
-                    phi_859_ = _e633;
+                    phi_1429_ = _e633;
                 } else {
-                    phi_859_ = _e477;
+                    phi_1429_ = _e477;
                 }
-                let _e641 = phi_859_;
-                phi_860_ = _e641;
+                let _e641 = phi_1429_;
+                phi_1430_ = _e641;
             }
-            let _e643 = phi_860_;
-            phi_861_ = _e643;
+            let _e643 = phi_1430_;
+            phi_1431_ = _e643;
         } else {
-            phi_861_ = _e471;
+            phi_1431_ = _e471;
         }
-        let _e645 = phi_861_;
-        phi_862_ = _e645;
+        let _e645 = phi_1431_;
+        phi_1432_ = _e645;
     }
-    let _e647 = phi_862_;
+    let _e647 = phi_1432_;
     return _e647;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_1082_: bool;
-    var phi_1083_: bool;
-    var phi_1084_: bool;
-    var phi_1085_: bool;
-    var phi_1089_: bool;
-    var phi_1133_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1137_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1214_: bool;
-    var phi_1223_: bool;
-    var phi_1232_: bool;
-    var phi_1233_: bool;
-    var phi_1234_: bool;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_1242_: bool;
-    var phi_1336_: f32;
-    var phi_1339_: f32;
-    var phi_1368_: f32;
-    var phi_1373_: f32;
-    var phi_1374_: bool;
-    var phi_1375_: f32;
-    var phi_1376_: bool;
-    var phi_1380_: f32;
-    var phi_1400_: f32;
-    var phi_1405_: f32;
-    var phi_1406_: bool;
-    var phi_1407_: f32;
-    var phi_1408_: bool;
-    var phi_1412_: f32;
-    var phi_1458_: i32;
-    var phi_1463_: i32;
-    var phi_1468_: i32;
-    var phi_1473_: i32;
-    var phi_1482_: i32;
-    var phi_1487_: i32;
-    var phi_1492_: i32;
-    var phi_1497_: i32;
-    var phi_1582_: evaluate_Verdict;
-    var phi_1583_: evaluate_Verdict;
-    var phi_1584_: bool;
-    var phi_1585_: evaluate_Verdict;
-    var phi_1586_: evaluate_Verdict;
-    var phi_1587_: bool;
-    var phi_1591_: evaluate_Verdict;
+    var phi_210_: bool;
+    var phi_211_: bool;
+    var phi_212_: bool;
+    var phi_213_: bool;
+    var phi_217_: bool;
+    var phi_261_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_265_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_342_: bool;
+    var phi_351_: bool;
+    var phi_360_: bool;
+    var phi_361_: bool;
+    var phi_362_: bool;
+    var phi_363_: bool;
+    var phi_364_: bool;
+    var phi_365_: bool;
+    var phi_366_: bool;
+    var phi_370_: bool;
+    var phi_464_: f32;
+    var phi_467_: f32;
+    var phi_496_: f32;
+    var phi_501_: f32;
+    var phi_502_: bool;
+    var phi_503_: f32;
+    var phi_504_: bool;
+    var phi_508_: f32;
+    var phi_528_: f32;
+    var phi_533_: f32;
+    var phi_534_: bool;
+    var phi_535_: f32;
+    var phi_536_: bool;
+    var phi_540_: f32;
+    var phi_586_: i32;
+    var phi_591_: i32;
+    var phi_596_: i32;
+    var phi_601_: i32;
+    var phi_610_: i32;
+    var phi_615_: i32;
+    var phi_620_: i32;
+    var phi_625_: i32;
+    var phi_710_: evaluate_Verdict;
+    var phi_711_: evaluate_Verdict;
+    var phi_712_: bool;
+    var phi_713_: evaluate_Verdict;
+    var phi_714_: evaluate_Verdict;
+    var phi_715_: bool;
+    var phi_719_: evaluate_Verdict;
 
     let _e37 = id_1;
     let _e44 = arrayLength((&map.member));
@@ -912,28 +912,28 @@ fn function_() {
             if (_e70 == _e72) {
                 let _e75 = samples.member[(0u + _e53.first_primitive)].normal[2u];
                 let _e77 = global[2u];
-                phi_1082_ = (_e75 == _e77);
-                phi_1083_ = false;
+                phi_210_ = (_e75 == _e77);
+                phi_211_ = false;
             } else {
-                phi_1082_ = bool();
-                phi_1083_ = true;
+                phi_210_ = bool();
+                phi_211_ = true;
             }
-            let _e80 = phi_1082_;
-            let _e82 = phi_1083_;
-            phi_1084_ = _e80;
-            phi_1085_ = _e82;
+            let _e80 = phi_210_;
+            let _e82 = phi_211_;
+            phi_212_ = _e80;
+            phi_213_ = _e82;
         } else {
-            phi_1084_ = bool();
-            phi_1085_ = true;
+            phi_212_ = bool();
+            phi_213_ = true;
         }
-        let _e84 = phi_1084_;
-        let _e86 = phi_1085_;
+        let _e84 = phi_212_;
+        let _e86 = phi_213_;
         if _e86 {
-            phi_1089_ = false;
+            phi_217_ = false;
         } else {
-            phi_1089_ = _e84;
+            phi_217_ = _e84;
         }
-        let _e88 = phi_1089_;
+        let _e88 = phi_217_;
         if !(_e88) {
             let _e91 = samples.member[(0u + _e53.first_primitive)].normal;
             let _e93 = samples.member[(0u + _e53.first_primitive)].position;
@@ -941,24 +941,24 @@ fn function_() {
                 let _e117 = samples.member[(0u + _e53.first_primitive)].flags;
                 let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_1133_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
+                phi_261_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
             } else {
                 let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
-                phi_1133_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
+                phi_261_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
             }
-            let _e151 = phi_1133_;
-            phi_1137_ = _e151;
+            let _e151 = phi_261_;
+            phi_265_ = _e151;
         } else {
             let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-            phi_1137_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
+            phi_265_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
         }
-        let _e168 = phi_1137_;
+        let _e168 = phi_265_;
         if _e168.unnamed_1 {
-            phi_1585_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
-            phi_1586_ = evaluate_Verdict();
-            phi_1587_ = true;
+            phi_713_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
+            phi_714_ = evaluate_Verdict();
+            phi_715_ = true;
         } else {
             let _e176 = samples.member[(0u + _e53.first_primitive)].position;
             let _e182 = p.member.projection.row_w;
@@ -971,55 +971,55 @@ fn function_() {
             let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
             if (_e193 > 0f) {
                 if (_e207 >= 0f) {
-                    phi_1214_ = (_e207 <= 1f);
+                    phi_342_ = (_e207 <= 1f);
                 } else {
-                    phi_1214_ = false;
+                    phi_342_ = false;
                 }
-                let _e239 = phi_1214_;
+                let _e239 = phi_342_;
                 if _e239 {
                     if (_e221 >= 0f) {
-                        phi_1223_ = (_e221 <= 1f);
+                        phi_351_ = (_e221 <= 1f);
                     } else {
-                        phi_1223_ = false;
+                        phi_351_ = false;
                     }
-                    let _e243 = phi_1223_;
+                    let _e243 = phi_351_;
                     if _e243 {
                         if (_e234 >= 0f) {
-                            phi_1232_ = (_e234 <= 1f);
+                            phi_360_ = (_e234 <= 1f);
                         } else {
-                            phi_1232_ = false;
+                            phi_360_ = false;
                         }
-                        let _e247 = phi_1232_;
-                        phi_1233_ = _e247;
-                        phi_1234_ = false;
+                        let _e247 = phi_360_;
+                        phi_361_ = _e247;
+                        phi_362_ = false;
                     } else {
-                        phi_1233_ = bool();
-                        phi_1234_ = true;
+                        phi_361_ = bool();
+                        phi_362_ = true;
                     }
-                    let _e249 = phi_1233_;
-                    let _e251 = phi_1234_;
-                    phi_1235_ = _e249;
-                    phi_1236_ = _e251;
+                    let _e249 = phi_361_;
+                    let _e251 = phi_362_;
+                    phi_363_ = _e249;
+                    phi_364_ = _e251;
                 } else {
-                    phi_1235_ = bool();
-                    phi_1236_ = true;
+                    phi_363_ = bool();
+                    phi_364_ = true;
                 }
-                let _e253 = phi_1235_;
-                let _e255 = phi_1236_;
-                phi_1237_ = _e253;
-                phi_1238_ = _e255;
+                let _e253 = phi_363_;
+                let _e255 = phi_364_;
+                phi_365_ = _e253;
+                phi_366_ = _e255;
             } else {
-                phi_1237_ = bool();
-                phi_1238_ = true;
+                phi_365_ = bool();
+                phi_366_ = true;
             }
-            let _e257 = phi_1237_;
-            let _e259 = phi_1238_;
+            let _e257 = phi_365_;
+            let _e259 = phi_366_;
             if _e259 {
-                phi_1242_ = false;
+                phi_370_ = false;
             } else {
-                phi_1242_ = _e257;
+                phi_370_ = _e257;
             }
-            let _e261 = phi_1242_;
+            let _e261 = phi_370_;
             if _e261 {
                 if (0f > 0f) {
                     let _e264 = samples.member[(0u + _e53.first_primitive)].normal;
@@ -1029,16 +1029,16 @@ fn function_() {
                     let _e313 = p.member.projection.row_z;
                     let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
                     if (_e340 < 0.002f) {
-                        phi_1336_ = _e340;
+                        phi_464_ = _e340;
                     } else {
-                        phi_1336_ = 0.002f;
+                        phi_464_ = 0.002f;
                     }
-                    let _e343 = phi_1336_;
-                    phi_1339_ = (_e234 - (0f * _e343));
+                    let _e343 = phi_464_;
+                    phi_467_ = (_e234 - (0f * _e343));
                 } else {
-                    phi_1339_ = _e234;
+                    phi_467_ = _e234;
                 }
-                let _e347 = phi_1339_;
+                let _e347 = phi_467_;
                 let _e349 = p.member.map_size;
                 let _e350 = f32(_e349);
                 let _e353 = ((_e207 * _e350) - 0.5f);
@@ -1046,65 +1046,65 @@ fn function_() {
                 if (_e353 > -8388608f) {
                     let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
                     if (_e366 > _e353) {
-                        phi_1368_ = 1f;
+                        phi_496_ = 1f;
                     } else {
-                        phi_1368_ = 0f;
+                        phi_496_ = 0f;
                     }
-                    let _e369 = phi_1368_;
+                    let _e369 = phi_496_;
                     if (_e353 < 8388608f) {
-                        phi_1373_ = (_e366 - _e369);
-                        phi_1374_ = false;
+                        phi_501_ = (_e366 - _e369);
+                        phi_502_ = false;
                     } else {
-                        phi_1373_ = f32();
-                        phi_1374_ = true;
+                        phi_501_ = f32();
+                        phi_502_ = true;
                     }
-                    let _e372 = phi_1373_;
-                    let _e374 = phi_1374_;
-                    phi_1375_ = _e372;
-                    phi_1376_ = _e374;
+                    let _e372 = phi_501_;
+                    let _e374 = phi_502_;
+                    phi_503_ = _e372;
+                    phi_504_ = _e374;
                 } else {
-                    phi_1375_ = f32();
-                    phi_1376_ = true;
+                    phi_503_ = f32();
+                    phi_504_ = true;
                 }
-                let _e376 = phi_1375_;
-                let _e378 = phi_1376_;
+                let _e376 = phi_503_;
+                let _e378 = phi_504_;
                 if _e378 {
-                    phi_1380_ = _e353;
+                    phi_508_ = _e353;
                 } else {
-                    phi_1380_ = _e376;
+                    phi_508_ = _e376;
                 }
-                let _e380 = phi_1380_;
+                let _e380 = phi_508_;
                 if (_e354 > -8388608f) {
                     let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
                     if (_e392 > _e354) {
-                        phi_1400_ = 1f;
+                        phi_528_ = 1f;
                     } else {
-                        phi_1400_ = 0f;
+                        phi_528_ = 0f;
                     }
-                    let _e395 = phi_1400_;
+                    let _e395 = phi_528_;
                     if (_e354 < 8388608f) {
-                        phi_1405_ = (_e392 - _e395);
-                        phi_1406_ = false;
+                        phi_533_ = (_e392 - _e395);
+                        phi_534_ = false;
                     } else {
-                        phi_1405_ = f32();
-                        phi_1406_ = true;
+                        phi_533_ = f32();
+                        phi_534_ = true;
                     }
-                    let _e398 = phi_1405_;
-                    let _e400 = phi_1406_;
-                    phi_1407_ = _e398;
-                    phi_1408_ = _e400;
+                    let _e398 = phi_533_;
+                    let _e400 = phi_534_;
+                    phi_535_ = _e398;
+                    phi_536_ = _e400;
                 } else {
-                    phi_1407_ = f32();
-                    phi_1408_ = true;
+                    phi_535_ = f32();
+                    phi_536_ = true;
                 }
-                let _e402 = phi_1407_;
-                let _e404 = phi_1408_;
+                let _e402 = phi_535_;
+                let _e404 = phi_536_;
                 if _e404 {
-                    phi_1412_ = _e354;
+                    phi_540_ = _e354;
                 } else {
-                    phi_1412_ = _e402;
+                    phi_540_ = _e402;
                 }
-                let _e406 = phi_1412_;
+                let _e406 = phi_540_;
                 let _e407 = (_e353 - _e380);
                 let _e408 = (_e354 - _e406);
                 let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
@@ -1119,56 +1119,56 @@ fn function_() {
                 local_1 = _e437;
                 let _e441 = (bitcast<i32>(_e439) - 1i);
                 if (_e417 > 0i) {
-                    phi_1458_ = _e417;
+                    phi_586_ = _e417;
                 } else {
-                    phi_1458_ = 0i;
+                    phi_586_ = 0i;
                 }
-                let _e444 = phi_1458_;
+                let _e444 = phi_586_;
                 if (_e426 > 0i) {
-                    phi_1463_ = _e426;
+                    phi_591_ = _e426;
                 } else {
-                    phi_1463_ = 0i;
+                    phi_591_ = 0i;
                 }
-                let _e447 = phi_1463_;
+                let _e447 = phi_591_;
                 if (_e444 < _e441) {
-                    phi_1468_ = _e444;
+                    phi_596_ = _e444;
                 } else {
-                    phi_1468_ = _e441;
+                    phi_596_ = _e441;
                 }
-                let _e450 = phi_1468_;
+                let _e450 = phi_596_;
                 if (_e447 < _e441) {
-                    phi_1473_ = _e447;
+                    phi_601_ = _e447;
                 } else {
-                    phi_1473_ = _e441;
+                    phi_601_ = _e441;
                 }
-                let _e453 = phi_1473_;
+                let _e453 = phi_601_;
                 let _e454 = bitcast<u32>(_e450);
                 let _e456 = (_e417 + 1i);
                 let _e457 = (_e426 + 1i);
                 if (_e456 > 0i) {
-                    phi_1482_ = _e456;
+                    phi_610_ = _e456;
                 } else {
-                    phi_1482_ = 0i;
+                    phi_610_ = 0i;
                 }
-                let _e460 = phi_1482_;
+                let _e460 = phi_610_;
                 if (_e457 > 0i) {
-                    phi_1487_ = _e457;
+                    phi_615_ = _e457;
                 } else {
-                    phi_1487_ = 0i;
+                    phi_615_ = 0i;
                 }
-                let _e463 = phi_1487_;
+                let _e463 = phi_615_;
                 if (_e460 < _e441) {
-                    phi_1492_ = _e460;
+                    phi_620_ = _e460;
                 } else {
-                    phi_1492_ = _e441;
+                    phi_620_ = _e441;
                 }
-                let _e466 = phi_1492_;
+                let _e466 = phi_620_;
                 if (_e463 < _e441) {
-                    phi_1497_ = _e463;
+                    phi_625_ = _e463;
                 } else {
-                    phi_1497_ = _e441;
+                    phi_625_ = _e441;
                 }
-                let _e469 = phi_1497_;
+                let _e469 = phi_625_;
                 let _e470 = bitcast<u32>(_e466);
                 let _e472 = (bitcast<u32>(_e453) * _e439);
                 let _e473 = (bitcast<u32>(_e469) * _e439);
@@ -1197,30 +1197,30 @@ fn function_() {
                 }
                 let _e525 = map.member[(0u + _e477)];
                 let _e539 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e481.x * _e429) + (_e493.x * _e431)) + (_e509.x * _e433)) + (_e525.x * _e434)), ((((_e481.y * _e429) + (_e493.y * _e431)) + (_e509.y * _e433)) + (_e525.y * _e434)), ((((_e481.z * _e429) + (_e493.z * _e431)) + (_e509.z * _e433)) + (_e525.z * _e434)), ((((_e481.w * _e429) + (_e493.w * _e431)) + (_e509.w * _e433)) + (_e525.w * _e434))), _e347);
-                phi_1582_ = evaluate_Verdict(_e539, false);
-                phi_1583_ = evaluate_Verdict();
-                phi_1584_ = false;
+                phi_710_ = evaluate_Verdict(_e539, false);
+                phi_711_ = evaluate_Verdict();
+                phi_712_ = false;
             } else {
-                phi_1582_ = evaluate_Verdict();
-                phi_1583_ = evaluate_Verdict(1f, false);
-                phi_1584_ = true;
+                phi_710_ = evaluate_Verdict();
+                phi_711_ = evaluate_Verdict(1f, false);
+                phi_712_ = true;
             }
-            let _e543 = phi_1582_;
-            let _e545 = phi_1583_;
-            let _e547 = phi_1584_;
-            phi_1585_ = _e545;
-            phi_1586_ = _e543;
-            phi_1587_ = _e547;
+            let _e543 = phi_710_;
+            let _e545 = phi_711_;
+            let _e547 = phi_712_;
+            phi_713_ = _e545;
+            phi_714_ = _e543;
+            phi_715_ = _e547;
         }
-        let _e549 = phi_1585_;
-        let _e551 = phi_1586_;
-        let _e553 = phi_1587_;
+        let _e549 = phi_713_;
+        let _e551 = phi_714_;
+        let _e553 = phi_715_;
         if _e553 {
-            phi_1591_ = _e549;
+            phi_719_ = _e549;
         } else {
-            phi_1591_ = _e551;
+            phi_719_ = _e551;
         }
-        let _e555 = phi_1591_;
+        let _e555 = phi_719_;
         if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;

@@ -62,10 +62,7 @@ fn a_bare_surface_never_shadows_itself() {
             {
                 let lit = visibility(&scene, id);
                 let dark = lit.iter().filter(|v| **v < 0.5 || v.is_nan()).count();
-                // Moments in f32 are confidently wrong in some .03 % of two-layer footprints (lt-math's tables), which
-                // grazing light makes of a plane: two pixels of 38,400 at most.
-                let most = if id.contains("msm") { 2 } else { 0 };
-                assert!(dark <= most, "{id}, scale {scale}, light {direction}: {dark} dark pixels");
+                assert_eq!(dark, 0, "{id}, scale {scale}, light {direction}: dark pixels");
             }
         }
     }

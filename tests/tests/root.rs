@@ -1,5 +1,6 @@
 //! Cross-crate tests in one binary.
 
+mod batch;
 mod effects;
 mod hard;
 mod laws;

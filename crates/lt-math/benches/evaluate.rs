@@ -1,5 +1,8 @@
 //! Time per evaluation of every kind, on the gather path and on filtered vectors.
 //!
+//! `gather` is what a technique asks of four depths in hand; `gather_blended` turns them into vectors and blends those, the
+//! way that a test without a gather form of its own goes.
+//!
 //! `cargo bench -p lt-math`; each figure is for one pass over 1024 footprints (Criterion also prints elements/s).
 
 #[path = "../tests/root/support/random.rs"]
@@ -41,6 +44,14 @@ fn bench_kind<T: ShadowTest>(criterion: &mut Criterion, name: &str, test: T) {
         bencher.iter(|| {
             for q in &queries {
                 black_box(test.visibility_of_gather(q.depths, q.weights, q.receiver_depth));
+            }
+        });
+    });
+    group.bench_function("gather_blended", |bencher| {
+        bencher.iter(|| {
+            for q in &queries {
+                let [b0, b1, b2, b3] = q.depths.to_array().map(b);
+                black_box(test.visibility(blend(b0, b1, b2, b3, q.weights), q.receiver_depth));
             }
         });
     });

@@ -48,11 +48,15 @@ impl Default for Evsm {
 }
 
 impl Evsm {
-    fn positive(&self) -> f32 {
+    /// c₊ as used: at most [`MAX_EVSM_EXPONENT`].
+    #[inline]
+    pub fn positive(&self) -> f32 {
         float::min(self.positive_exponent, MAX_EVSM_EXPONENT)
     }
 
-    fn negative(&self) -> f32 {
+    /// c₋ as used: at most [`MAX_EVSM_EXPONENT`].
+    #[inline]
+    pub fn negative(&self) -> f32 {
         float::min(self.negative_exponent, MAX_EVSM_EXPONENT)
     }
 

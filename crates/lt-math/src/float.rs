@@ -3,6 +3,8 @@
 //! `exp` is a range reduction by powers of two (Cody & Waite 1980) followed by a Taylor polynomial of degree 7. Nothing
 //! but `+ − ×`, `floor` and integer bits is used, so that CPU and GPU return the same bits.
 
+#[cfg(not(target_arch = "spirv"))]
+pub use crate::lanes::{exp_lane, floor_lane, whole_lane};
 pub use crate::lanes::{exp4, saturate4};
 use glam::Vec4;
 

@@ -1,5 +1,8 @@
 //! Four-lane forms of the scalar float functions, with their very bits: SIMD on CPUs, lane by lane in SPIR-V.
 //!
+//! [`exp_lane`] and [`floor_lane`] are the same for loops over arrays, which a compiler turns into SIMD of any width: no
+//! branch, and no cast that saturates, which x86 has no instruction for.
+//!
 //! A GPU gains nothing from vectors, and a shader compiler may turn a compare and select into a `min` that hides NaN, so
 //! SPIR-V keeps the scalar functions, which look at bits. Tests compare every lane of the CPU form with them.
 
@@ -53,6 +56,51 @@ mod simd {
     }
 }
 
+/// [`crate::float::floor`] of magnitudes below 2²², without a branch: for loops over many numbers on a CPU.
+///
+/// Rounded by an addition, then corrected; shader compilers fold that away, so SPIR-V does without.
+#[cfg(not(target_arch = "spirv"))]
+#[inline(always)]
+pub fn floor_lane(x: f32) -> f32 {
+    let nearest = (x + ROUNDER) - ROUNDER;
+    let above = if nearest > x { 1.0 } else { 0.0 };
+    nearest - above
+}
+
+/// An f32 that is a whole number of magnitude below 2²², as an integer: read from the bits of a sum. Anything else gives
+/// some number.
+#[cfg(not(target_arch = "spirv"))]
+#[inline(always)]
+pub fn whole_lane(x: f32) -> i32 {
+    ((x + ROUNDER).to_bits() as i32).wrapping_sub(ROUNDER.to_bits() as i32)
+}
+
+/// 1.5·2²³: numbers of magnitude below 2²² that are added to it lose their fractions.
+#[cfg(not(target_arch = "spirv"))]
+const ROUNDER: f32 = 12_582_912.0;
+
+/// [`crate::float::exp`] without a branch, with its bits: for loops over many numbers on a CPU.
+#[cfg(not(target_arch = "spirv"))]
+#[inline(always)]
+pub fn exp_lane(x: f32) -> f32 {
+    use crate::float::{EXP_MAX_ARGUMENT, EXP_MIN_ARGUMENT, LN2_HIGH, LN2_LOW, LOG2_E};
+    // Comparisons with NaN are false, so that NaN stays itself.
+    let x = if x < EXP_MIN_ARGUMENT { EXP_MIN_ARGUMENT } else { x };
+    let x = if x > EXP_MAX_ARGUMENT { EXP_MAX_ARGUMENT } else { x };
+    let k = floor_lane(x * LOG2_E + 0.5);
+    let r = (x - k * LN2_HIGH) - k * LN2_LOW;
+    let mut p = 1.0 / 5040.0;
+    p = p * r + 1.0 / 720.0;
+    p = p * r + 1.0 / 120.0;
+    p = p * r + 1.0 / 24.0;
+    p = p * r + 1.0 / 6.0;
+    p = p * r + 0.5;
+    p = p * r + 1.0;
+    p = p * r + 1.0;
+    // In k + 127 + 2²³ the exponent's bits are the lowest of the mantissa. A NaN is still one in p.
+    p * f32::from_bits((k + (127.0 + 8_388_608.0)).to_bits() << 23)
+}
+
 /// [`crate::float::saturate`] of each lane.
 #[inline]
 pub fn saturate4(x: Vec4) -> Vec4 {
@@ -93,7 +141,7 @@ pub fn step4(depths: Vec4, receiver_depth: f32) -> Vec4 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::float::{exp, saturate};
+    use crate::float::{exp, floor, saturate};
     use crate::gather::step;
 
     fn assert_same(four: Vec4, lanes: [f32; 4], x: Vec4) {
@@ -125,10 +173,24 @@ mod tests {
             for b in SPECIAL {
                 let x = Vec4::new(a, b, SPECIAL[(i + 1) % SPECIAL.len()], 0.3);
                 assert_same(exp4(x), x.to_array().map(exp), x);
+                assert_same(Vec4::from_array(x.to_array().map(exp_lane)), x.to_array().map(exp), x);
                 assert_same(saturate4(x), x.to_array().map(saturate), x);
                 assert_same(step4(x, b), x.to_array().map(|z| step(z, b)), x);
             }
         }
+    }
+
+    #[test]
+    fn floor_lane_is_floor_and_whole_lane_its_integer() {
+        let fractions = [0.0, 1e-7, 0.25, 0.499_999, 0.5, 0.75, 0.999_999];
+        for whole in (-70_000i32..70_000).chain([-4_194_303, -4_194_302, 4_194_302]) {
+            for fraction in fractions {
+                let x = whole as f32 + fraction;
+                assert_eq!(floor_lane(x), floor(x), "{x}");
+                assert_eq!(whole_lane(floor(x)), floor(x) as i32, "{x}");
+            }
+        }
+        assert!(floor_lane(f32::NAN).is_nan());
     }
 
     /// Four million arguments over the whole range, and every half integer of x·log₂e, where the floor is a tie.
@@ -138,12 +200,14 @@ mod tests {
         while x < 89.0 {
             let four = Vec4::new(x, x + 4.4e-5, x + 8.8e-5, -x);
             assert_same(exp4(four), four.to_array().map(exp), four);
+            assert_same(Vec4::from_array(four.to_array().map(exp_lane)), four.to_array().map(exp), four);
             x += 1.7e-4;
         }
         for half in -260..260 {
             let tie = half as f32 * 0.5 * core::f32::consts::LN_2;
             let four = Vec4::new(tie, tie.next_up(), tie.next_down(), tie.next_up().next_up());
             assert_same(exp4(four), four.to_array().map(exp), four);
+            assert_same(Vec4::from_array(four.to_array().map(exp_lane)), four.to_array().map(exp), four);
         }
     }
 }

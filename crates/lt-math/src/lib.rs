@@ -21,7 +21,7 @@
 //!
 //! All implement [`ShadowTest`], which asks them in two ways: from filtered vectors, and from the four plain depths of a
 //! 2×2 gather. The second needs no special map, and nothing cancels there: VSM and EVSM compute their variance, MSM its
-//! determinants ([`four_atoms`]), from differences of depths.
+//! determinants ([`six_atoms`]), from differences of depths. It is the same bound, biases included.
 //!
 //! # Conventions
 //!
@@ -68,7 +68,6 @@ pub mod chebyshev;
 mod esm;
 mod evsm;
 pub mod float;
-pub mod four_atoms;
 mod gather;
 mod gaussian;
 pub mod hamburger;
@@ -82,6 +81,7 @@ pub mod moments;
 mod msm;
 mod pcf;
 mod shadow_test;
+pub mod six_atoms;
 mod sm;
 mod vsm;
 

@@ -2,24 +2,24 @@
 
 use crate::hankel::HankelFactors;
 use crate::moments::{DEFAULT_MOMENT_BIAS, bias_moments, moments_of_depth};
-use crate::{ShadowTest, float, four_atoms, hamburger, hausdorff};
+use crate::{ShadowTest, float, hamburger, hausdorff, six_atoms};
 use glam::Vec4;
 
 /// Moment shadow map answered by the Hamburger bound: stores (z, z², z³, z⁴).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MsmHamburger {
-    /// Share by which filtered moments move towards ½ before solving; larger is more stable and less sharp.
+    /// Share by which the moments move towards ½ before solving; larger is more stable and less sharp.
     ///
-    /// The gather form knows the depths themselves, loses nothing to rounding, and needs no bias.
+    /// The gather form is biased alike, but solves without cancellation: see [`crate::six_atoms`].
     pub moment_bias: f32,
 }
 
 /// Moment shadow map answered by the Hausdorff bound, which also uses that depths lie in [0, 1].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MsmHausdorff {
-    /// Share by which filtered moments move towards ½ before solving; larger is more stable and less sharp.
+    /// Share by which the moments move towards ½ before solving; larger is more stable and less sharp.
     ///
-    /// The gather form knows the depths themselves, loses nothing to rounding, and needs no bias.
+    /// The gather form is biased alike, but solves without cancellation: see [`crate::six_atoms`].
     pub moment_bias: f32,
 }
 
@@ -46,7 +46,7 @@ impl ShadowTest for MsmHamburger {
     }
 
     fn visibility_of_gather(&self, depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
-        four_atoms::hamburger_upper_bound(depths, weights, receiver_depth)
+        six_atoms::hamburger_upper_bound(depths, weights, receiver_depth, self.moment_bias)
     }
 }
 
@@ -61,6 +61,6 @@ impl ShadowTest for MsmHausdorff {
     }
 
     fn visibility_of_gather(&self, depths: Vec4, weights: Vec4, receiver_depth: f32) -> f32 {
-        four_atoms::hausdorff_upper_bound(depths, weights, receiver_depth)
+        six_atoms::hausdorff_upper_bound(depths, weights, receiver_depth, self.moment_bias)
     }
 }

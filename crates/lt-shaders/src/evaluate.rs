@@ -3,7 +3,7 @@
 use lt_math::glam::{IVec2, Vec2, Vec3, Vec4};
 use lt_math::{
     Esm, Evsm, Footprint, LightProjection, MsmHamburger, MsmHausdorff, Pcf, ShadowTest, Sm, Vsm,
-    bilinear_footprint, blend, needs_ray,
+    bilinear_footprint, needs_ray,
 };
 
 use crate::abi::{Sample, ShadowParams};
@@ -47,15 +47,6 @@ pub trait TestFromParams: ShadowTest {
     /// Receiver-plane bias in texels: how far along the receiver's own plane the deciding texel's centre may lie. 0 for
     /// tests that compare with the mean, which on a plane *is* the receiver.
     const PLANE_BIAS_TEXELS: f32;
-    /// Whether gathered depths are blended as depth vectors, as a filtered map would, instead of by
-    /// [`ShadowTest::visibility_of_gather`].
-    ///
-    /// So for MSM: four moments of four depths leave no slack, and the exact bound is as sharp as PCF. Without a bias
-    /// it shades sloped surfaces (street: 92,464 ppm false-shadowed alone, 0.445 rays per pixel with LTT); with the
-    /// receiver's plane as bias it leaks (39,101 ppm false-lit with LTT). The paper's moment bias is the better trade
-    /// (0.197 rays, 9,849 ppm). To see it again: set this to `false` below, with a plane bias of 0 or 1, and run
-    /// `lt compare street`.
-    const BLENDS_VECTORS: bool = false;
     /// The test with these parameters.
     fn from_params(params: Vec4) -> Self;
 }
@@ -103,7 +94,6 @@ impl TestFromParams for Evsm {
 /// `params.x`: moment bias.
 impl TestFromParams for MsmHamburger {
     const PLANE_BIAS_TEXELS: f32 = 0.0;
-    const BLENDS_VECTORS: bool = true;
     fn from_params(params: Vec4) -> Self {
         Self { moment_bias: params.x }
     }
@@ -112,7 +102,6 @@ impl TestFromParams for MsmHamburger {
 /// `params.x`: moment bias.
 impl TestFromParams for MsmHausdorff {
     const PLANE_BIAS_TEXELS: f32 = 0.0;
-    const BLENDS_VECTORS: bool = true;
     fn from_params(params: Vec4) -> Self {
         Self { moment_bias: params.x }
     }
@@ -140,12 +129,6 @@ impl MapSource for GatheredDepths<'_> {
             self.depths[i[2] as usize],
             self.depths[i[3] as usize],
         );
-        if T::BLENDS_VECTORS {
-            let (b0, b1) = (test.depth_vector(depths.x), test.depth_vector(depths.y));
-            let (b2, b3) = (test.depth_vector(depths.z), test.depth_vector(depths.w));
-            let blended = blend(b0, b1, b2, b3, footprint.weights);
-            return test.visibility(blended, depth);
-        }
         test.visibility_of_gather(depths, footprint.weights, depth)
     }
 }

@@ -8,7 +8,7 @@ use super::lanes::{Lanes, NodeLanes};
 use super::prepared::{BoxRay, Prepared};
 use super::tree::{Block, SimdTree, WideNode};
 use crate::ray::Ray;
-use crate::slab::{LEAST_COMPONENT, NODE_MARGIN, Slab, Span, TRIANGLE_MARGIN};
+use crate::slab::{LEAST_COMPONENT, NODE_MARGIN, Slab, Span, TRIANGLE_MARGIN, WHOLE_RAY};
 use crate::triangle::Shear;
 use lt_math::glam::Vec3;
 
@@ -29,6 +29,9 @@ pub(crate) struct Kind {
 /// any distance, so that no NaN arises and lanes choose as the kernel's `min` and `max` do.
 const SHORTEST: f32 = 1.0e-6;
 
+/// A node's margin in triangles' margins: a power of two, so that one follows from the other exactly.
+const NODE_PER_TRIANGLE: f32 = NODE_MARGIN / TRIANGLE_MARGIN;
+
 impl Kind {
     /// `None` for a ray that no packet takes: an invalid one, or one with a very short direction.
     #[inline(always)]
@@ -47,14 +50,40 @@ impl Kind {
         let d = ray.direction;
         Some(Kind { is_negative: [d.x < 0.0, d.y < 0.0, d.z < 0.0], axis })
     }
+}
 
-    /// What kind the first of `rays` is of, and how many follow it, up to a packet's worth, that are of the same.
+/// Neighbours in a batch that one packet can take.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    /// `None` for rays that no packet takes.
+    pub kind: Option<Kind>,
+    /// How many rays, from the first.
+    pub len: usize,
+    /// Whether all directions are the same.
+    is_parallel: bool,
+}
+
+impl Run {
+    /// The first of `rays` and those like it that follow, up to a packet's worth.
     #[inline(always)]
-    pub fn run(rays: &[Ray]) -> (Option<Self>, usize) {
-        let Some(first) = rays.first() else { return (None, 0) };
-        let kind = Self::of(first);
-        let others = rays.iter().take(PACKET).skip(1).take_while(|ray| Self::of(ray) == kind);
-        (kind, 1 + others.count())
+    pub fn first(rays: &[Ray]) -> Self {
+        let Some(first) = rays.first() else { return Run { kind: None, len: 0, is_parallel: true } };
+        let mut run = Run { kind: Kind::of(first), len: 1, is_parallel: true };
+        for ray in rays.iter().take(PACKET).skip(1) {
+            // Under a sun all directions are the same, and only origins differ.
+            let is_same = ray.direction == first.direction;
+            let is_alike = if is_same && run.kind.is_some() {
+                ray.is_valid()
+            } else {
+                run.is_parallel &= is_same;
+                Kind::of(ray) == run.kind
+            };
+            if !is_alike {
+                break;
+            }
+            run.len += 1;
+        }
+        run
     }
 }
 
@@ -64,9 +93,8 @@ impl Kind {
 pub(crate) struct Packet {
     origin: [Column; 3],
     inverse: [Column; 3],
-    /// Where the ray meets the tree's base planes, less and plus the node margin.
-    near: [Column; 3],
-    far: [Column; 3],
+    /// Where the ray meets the tree's base planes.
+    start: [Column; 3],
     triangle_margin: [Column; 3],
     shear: [Column; 3],
     tmin: Column,
@@ -76,6 +104,8 @@ pub(crate) struct Packet {
     /// As they came.
     rays: [Ray; PACKET],
     kind: Kind,
+    /// Whether all directions are the same.
+    is_parallel: bool,
     /// Rays in use, from the first.
     len: usize,
 }
@@ -92,12 +122,16 @@ impl Weights {
     }
 }
 
-/// Bounds of everything that a packet's box test depends on.
+/// Most groups of ray lanes in a packet.
+const GROUPS: usize = PACKET / 8;
+
+/// Bounds of everything that a box test depends on, for each group of ray lanes.
 #[derive(Clone, Copy)]
-pub(crate) struct Frustum<L: Lanes> {
-    /// Origins from the tree's base, as the entry planes and as the exit planes see them worst.
-    origin_near: [L::F; 3],
-    origin_far: [L::F; 3],
+pub(crate) struct Frusta<L: Lanes> {
+    /// Where the origin of a group's rays lies, as the entry planes and as the exit planes see it worst. For parallel rays
+    /// what is to be added to a plane's distance in units of t, else the origin itself, from the tree's base.
+    near: [[f32; GROUPS]; 3],
+    far: [[f32; GROUPS]; 3],
     inverse_low: [L::F; 3],
     inverse_high: [L::F; 3],
     margin: [L::F; 3],
@@ -107,26 +141,38 @@ pub(crate) struct Frustum<L: Lanes> {
     is_parallel: bool,
 }
 
-#[inline(always)]
-fn least(column: &Column) -> f32 {
-    let mut lanes = [column[0]; 16];
-    for chunk in column.chunks_exact(16) {
-        for i in 0..16 {
-            lanes[i] = if chunk[i] < lanes[i] { chunk[i] } else { lanes[i] };
-        }
-    }
-    lanes.iter().fold(lanes[0], |a, &b| if b < a { b } else { a })
+/// The planes of a node's children where rays enter and leave: for parallel rays in units of t, with the node margin, else
+/// as the node has them.
+pub(crate) struct Planes {
+    near: [[f32; 8]; 3],
+    far: [[f32; 8]; 3],
 }
 
+impl Planes {
+    pub fn none() -> Self {
+        Planes { near: [[0.0; 8]; 3], far: [[0.0; 8]; 3] }
+    }
+}
+
+/// Smallest and largest of the first `len` numbers, a multiple of eight of them read.
 #[inline(always)]
-fn most(column: &Column) -> f32 {
-    let mut lanes = [column[0]; 16];
-    for chunk in column.chunks_exact(16) {
-        for i in 0..16 {
-            lanes[i] = if chunk[i] > lanes[i] { chunk[i] } else { lanes[i] };
+fn extremes(numbers: &[f32], len: usize) -> (f32, f32) {
+    let (mut low, mut high) = ([numbers[0]; 8], [numbers[0]; 8]);
+    for eight in numbers.chunks_exact(8).take(len.div_ceil(8)) {
+        for i in 0..8 {
+            low[i] = if eight[i] < low[i] { eight[i] } else { low[i] };
+            high[i] = if eight[i] > high[i] { eight[i] } else { high[i] };
         }
     }
-    lanes.iter().fold(lanes[0], |a, &b| if b > a { b } else { a })
+    let mut half = 4;
+    while half > 0 {
+        for i in 0..half {
+            low[i] = if low[i + half] < low[i] { low[i + half] } else { low[i] };
+            high[i] = if high[i + half] > high[i] { high[i + half] } else { high[i] };
+        }
+        half /= 2;
+    }
+    (low[0], high[0])
 }
 
 /// The lanes' worth of a column that starts at ray `at`, a multiple of the width.
@@ -145,7 +191,7 @@ fn set<R: Lanes>(rays: R, column: &mut Column, at: usize, value: R::F) {
 
 /// Bits of the rays `at` to `at + WIDTH` of a mask.
 #[inline(always)]
-fn bits_at<R: Lanes>(mask: u64, at: usize) -> u32 {
+pub(crate) fn bits_at<R: Lanes>(mask: u64, at: usize) -> u32 {
     (mask >> at) as u32 & (u32::MAX >> (32 - R::WIDTH))
 }
 
@@ -155,37 +201,46 @@ impl Packet {
         Packet {
             origin: [zero; 3],
             inverse: [zero; 3],
-            near: [zero; 3],
-            far: [zero; 3],
+            start: [zero; 3],
             triangle_margin: [zero; 3],
             shear: [zero; 3],
             tmin: zero,
             tmax: zero,
-            window_near: zero,
-            window_far: zero,
+            window_near: [WHOLE_RAY.near; PACKET],
+            window_far: [WHOLE_RAY.far; PACKET],
             rays: [Ray::default(); PACKET],
             kind: Kind { is_negative: [false; 3], axis: 0 },
+            is_parallel: true,
             len: 0,
         }
     }
 
-    /// Takes up to [`PACKET`] rays of one kind, each of which looks at its window only. At least one ray.
+    /// Takes the rays of a run that has a kind. Each looks at its window only, where there are `windows`; a packet is given
+    /// always some or never.
     #[inline(always)]
-    pub fn fill(&mut self, kind: Kind, rays: &[Ray], windows: &[Span]) {
+    pub fn fill(&mut self, kind: Kind, run: Run, rays: &[Ray], windows: Option<&[Span]>) {
         self.kind = kind;
-        self.len = 0;
-        for ((ray, window), i) in rays.iter().zip(windows).zip(0..PACKET) {
+        self.is_parallel = run.is_parallel;
+        self.len = run.len.clamp(1, PACKET);
+        for (i, ray) in rays.iter().take(self.len).enumerate() {
             for axis in 0..3 {
                 self.origin[axis][i] = ray.origin[axis];
-                // Until `prepare` turns it around.
-                self.inverse[axis][i] = ray.direction[axis];
             }
             self.tmin[i] = ray.tmin;
             self.tmax[i] = ray.tmax;
+            self.rays[i] = *ray;
+        }
+        if !run.is_parallel {
+            for (i, ray) in rays.iter().take(self.len).enumerate() {
+                for axis in 0..3 {
+                    // Until `prepare` turns it around.
+                    self.inverse[axis][i] = ray.direction[axis];
+                }
+            }
+        }
+        for (i, window) in windows.unwrap_or_default().iter().take(self.len).enumerate() {
             self.window_near[i] = window.near;
             self.window_far[i] = window.far;
-            self.rays[i] = *ray;
-            self.len = i + 1;
         }
     }
 
@@ -206,8 +261,7 @@ impl Packet {
         let i = ray & (PACKET - 1);
         let at = |columns: &[Column; 3]| Vec3::new(columns[0][i], columns[1][i], columns[2][i]);
         let triangle_margin = at(&self.triangle_margin);
-        // Twice a triangle's margin is a node's, exactly.
-        let node_margin = triangle_margin * 2.0;
+        let node_margin = triangle_margin * NODE_PER_TRIANGLE;
         Slab { origin: at(&self.origin), inverse: at(&self.inverse), node_margin, triangle_margin }
     }
 
@@ -216,7 +270,8 @@ impl Packet {
     pub fn boxes<L: NodeLanes>(&self, lanes: L, ray: usize) -> BoxRay<L> {
         let i = ray & (PACKET - 1);
         let at = |columns: &[Column; 3]| Vec3::new(columns[0][i], columns[1][i], columns[2][i]);
-        BoxRay::from_parts(lanes, at(&self.inverse), at(&self.near), at(&self.far), self.tmin[i])
+        let (start, margin) = (at(&self.start), at(&self.triangle_margin) * NODE_PER_TRIANGLE);
+        BoxRay::from_parts(lanes, at(&self.inverse), start - margin, start + margin, self.tmin[i])
     }
 
     /// One ray, as it came.
@@ -239,12 +294,17 @@ impl Packet {
         let (ix, iy, iz) = axes(kind.axis);
         let zero = rays.splat(0.0);
         let mut at = 0;
-        while at < PACKET {
-            let direction = [
-                piece(rays, &self.inverse[0], at),
-                piece(rays, &self.inverse[1], at),
-                piece(rays, &self.inverse[2], at),
-            ];
+        let common = self.rays[0].direction;
+        while at < self.len {
+            let direction = if self.is_parallel {
+                [rays.splat(common.x), rays.splat(common.y), rays.splat(common.z)]
+            } else {
+                [
+                    piece(rays, &self.inverse[0], at),
+                    piece(rays, &self.inverse[1], at),
+                    piece(rays, &self.inverse[2], at),
+                ]
+            };
             // `Shear::new`
             let z = direction[iz];
             set(rays, &mut self.shear[0], at, rays.div(direction[ix], z));
@@ -261,7 +321,6 @@ impl Packet {
                 reach = rays.max(reach, rays.max(to_low, rays.sub(zero, to_low)));
                 reach = rays.max(reach, rays.max(to_high, rays.sub(zero, to_high)));
             }
-            let node_reach = rays.mul(reach, rays.splat(NODE_MARGIN));
             let triangle_reach = rays.mul(reach, rays.splat(TRIANGLE_MARGIN));
             for axis in 0..3 {
                 let d = direction[axis];
@@ -269,12 +328,10 @@ impl Packet {
                 let one = rays.splat(if kind.is_negative[axis] { -1.0 } else { 1.0 });
                 let inverse = rays.div(one, magnitude);
                 let absolute = rays.max(inverse, rays.sub(zero, inverse));
-                let node_margin = rays.mul(absolute, node_reach);
                 let o = piece(rays, &self.origin[axis], at);
                 let start = rays.mul(rays.sub(rays.splat(tree.base[axis]), o), inverse);
                 set(rays, &mut self.inverse[axis], at, inverse);
-                set(rays, &mut self.near[axis], at, rays.sub(start, node_margin));
-                set(rays, &mut self.far[axis], at, rays.add(start, node_margin));
+                set(rays, &mut self.start[axis], at, start);
                 set(rays, &mut self.triangle_margin[axis], at, rays.mul(absolute, triangle_reach));
             }
             at += R::WIDTH;
@@ -285,6 +342,9 @@ impl Packet {
     #[inline(always)]
     fn pad(&mut self) {
         let len = self.len;
+        if len == PACKET {
+            return;
+        }
         let pad = |column: &mut Column| {
             let first = column[0];
             column[len..].fill(first);
@@ -293,73 +353,83 @@ impl Packet {
         self.inverse.iter_mut().for_each(pad);
         pad(&mut self.tmin);
         pad(&mut self.tmax);
-        pad(&mut self.window_near);
-        pad(&mut self.window_far);
     }
 
-    /// Bounds of the packet for its box test; `tree` is that of [`Packet::prepare`].
+    /// Bounds of the packet's groups for their box tests; `tree` is that of [`Packet::prepare`].
     #[inline(always)]
-    pub fn frustum<L: Lanes>(&self, lanes: L, tree: &SimdTree) -> Frustum<L> {
+    pub fn frusta<L: NodeLanes>(&self, lanes: L, tree: &SimdTree) -> Frusta<L> {
         let zero = lanes.splat(0.0);
-        let mut frustum = Frustum {
-            origin_near: [zero; 3],
-            origin_far: [zero; 3],
+        let mut frusta = Frusta {
+            near: [[0.0; GROUPS]; 3],
+            far: [[0.0; GROUPS]; 3],
             inverse_low: [zero; 3],
             inverse_high: [zero; 3],
             margin: [zero; 3],
-            tmin: lanes.splat(least(&self.tmin)),
-            tmax: lanes.splat(most(&self.tmax)),
+            tmin: lanes.splat(extremes(&self.tmin, self.len).0),
+            tmax: lanes.splat(extremes(&self.tmax, self.len).1),
             entry: [0; 3],
-            is_parallel: true,
+            is_parallel: self.is_parallel,
         };
         for axis in 0..3 {
             let is_negative = self.kind.is_negative[axis];
-            let (low, high) = (least(&self.origin[axis]), most(&self.origin[axis]));
-            let (near, far) = if is_negative { (low, high) } else { (high, low) };
-            let (inverse_low, inverse_high) = (least(&self.inverse[axis]), most(&self.inverse[axis]));
-            frustum.origin_near[axis] = lanes.splat(near - tree.base[axis]);
-            frustum.origin_far[axis] = lanes.splat(far - tree.base[axis]);
-            frustum.inverse_low[axis] = lanes.splat(inverse_low);
-            frustum.inverse_high[axis] = lanes.splat(inverse_high);
-            // Twice a triangle's margin is a node's.
-            frustum.margin[axis] = lanes.splat(most(&self.triangle_margin[axis]) * 2.0);
-            frustum.entry[axis] = 2 * axis + usize::from(is_negative);
-            frustum.is_parallel &= inverse_low == inverse_high;
+            let first = self.inverse[axis][0];
+            let (low, high) =
+                if self.is_parallel { (first, first) } else { extremes(&self.inverse[axis], self.len) };
+            let margin = extremes(&self.triangle_margin[axis], self.len).1 * NODE_PER_TRIANGLE;
+            frusta.inverse_low[axis] = lanes.splat(low);
+            frusta.inverse_high[axis] = lanes.splat(high);
+            frusta.margin[axis] = lanes.splat(margin);
+            frusta.entry[axis] = 2 * axis + usize::from(is_negative);
+            let mut at = 0;
+            while at < self.len {
+                let width = <L::Rays as Lanes>::WIDTH;
+                let (least, most) = extremes(&self.origin[axis][at..at + width], width);
+                let (near, far) = if is_negative { (least, most) } else { (most, least) };
+                let (near, far) = (near - tree.base[axis], far - tree.base[axis]);
+                let group = at / width;
+                (frusta.near[axis][group], frusta.far[axis][group]) =
+                    if self.is_parallel { (-(near * first), -(far * first)) } else { (near, far) };
+                at += width;
+            }
         }
-        frustum
+        frusta
     }
 
-    /// Which rays of `mask` meet the box of a node's child between their ends.
+    /// Which rays of the group that starts at `at` meet the box of a child between the packet's ends.
     #[inline(always)]
-    pub fn meets<R: Lanes>(&self, rays: R, node: &WideNode, child: usize, mask: u64) -> u64 {
-        let k = self.kind.is_negative;
-        let plane = |index: usize| node.planes[index][child & 7];
-        let nx = rays.splat(plane(usize::from(k[0])));
-        let ny = rays.splat(plane(2 + usize::from(k[1])));
-        let nz = rays.splat(plane(4 + usize::from(k[2])));
-        let fx = rays.splat(plane(usize::from(!k[0])));
-        let fy = rays.splat(plane(2 + usize::from(!k[1])));
-        let fz = rays.splat(plane(4 + usize::from(!k[2])));
-        let mut found = 0;
-        let mut at = 0;
-        while at < PACKET {
-            if bits_at::<R>(mask, at) != 0 {
-                let ix = piece(rays, &self.inverse[0], at);
-                let iy = piece(rays, &self.inverse[1], at);
-                let iz = piece(rays, &self.inverse[2], at);
-                let ex = rays.mul_add(nx, ix, piece(rays, &self.near[0], at));
-                let ey = rays.mul_add(ny, iy, piece(rays, &self.near[1], at));
-                let ez = rays.mul_add(nz, iz, piece(rays, &self.near[2], at));
-                let lx = rays.mul_add(fx, ix, piece(rays, &self.far[0], at));
-                let ly = rays.mul_add(fy, iy, piece(rays, &self.far[1], at));
-                let lz = rays.mul_add(fz, iz, piece(rays, &self.far[2], at));
-                let entry = rays.max(rays.max(ex, ey), rays.max(ez, piece(rays, &self.tmin, at)));
-                let exit = rays.min(rays.min(lx, ly), rays.min(lz, piece(rays, &self.tmax, at)));
-                found |= u64::from(rays.le(entry, exit)) << at;
+    pub fn meets<R: Lanes>(
+        &self,
+        rays: R,
+        planes: &Planes,
+        child: usize,
+        at: usize,
+        ends: (R::F, R::F),
+    ) -> u32 {
+        let child = child & 7;
+        let mut entry = ends.0;
+        let mut exit = ends.1;
+        for axis in 0..3 {
+            let near = rays.splat(planes.near[axis][child]);
+            let far = rays.splat(planes.far[axis][child]);
+            let start = piece(rays, &self.start[axis], at);
+            if self.is_parallel {
+                entry = rays.max(entry, rays.add(near, start));
+                exit = rays.min(exit, rays.add(far, start));
+            } else {
+                let inverse = piece(rays, &self.inverse[axis], at);
+                let margin =
+                    rays.mul(piece(rays, &self.triangle_margin[axis], at), rays.splat(NODE_PER_TRIANGLE));
+                entry = rays.max(entry, rays.sub(rays.mul_add(near, inverse, start), margin));
+                exit = rays.min(exit, rays.add(rays.mul_add(far, inverse, start), margin));
             }
-            at += R::WIDTH;
         }
-        found & mask
+        rays.le(entry, exit)
+    }
+
+    /// The packet's ends: the least tmin and the greatest tmax.
+    #[inline(always)]
+    pub fn ends<R: Lanes>(&self, rays: R) -> (R::F, R::F) {
+        (rays.splat(extremes(&self.tmin, self.len).0), rays.splat(extremes(&self.tmax, self.len).1))
     }
 
     /// Which rays of `mask` hit a triangle of a block, by all of the kernel's arithmetic. The barycentric weights of their
@@ -484,34 +554,47 @@ fn axes(axis: usize) -> (usize, usize, usize) {
     }
 }
 
-impl<L: NodeLanes> Frustum<L> {
-    /// Which children any ray of the packet may meet.
+impl<L: NodeLanes> Frusta<L> {
+    /// Reads a node's planes for [`Frusta::test`] and [`Packet::meets`].
     #[inline(always)]
-    pub fn test(&self, lanes: L, node: &WideNode) -> u32 {
-        let (nx, ny, nz) = (self.near(lanes, node, 0), self.near(lanes, node, 1), self.near(lanes, node, 2));
-        let (fx, fy, fz) = (self.far(lanes, node, 0), self.far(lanes, node, 1), self.far(lanes, node, 2));
-        let entry = lanes.max(lanes.max(nx, ny), lanes.max(nz, self.tmin));
-        let exit = lanes.min(lanes.min(fx, fy), lanes.min(fz, self.tmax));
+    pub fn read(&self, lanes: L, node: &WideNode, planes: &mut Planes) {
+        for axis in 0..3 {
+            let near = lanes.load(&node.planes[self.entry[axis]]);
+            let far = lanes.load(&node.planes[self.entry[axis] ^ 1]);
+            if self.is_parallel {
+                let (inverse, margin) = (self.inverse_low[axis], self.margin[axis]);
+                lanes.store(lanes.sub(lanes.mul(near, inverse), margin), &mut planes.near[axis]);
+                lanes.store(lanes.add(lanes.mul(far, inverse), margin), &mut planes.far[axis]);
+            } else {
+                lanes.store(near, &mut planes.near[axis]);
+                lanes.store(far, &mut planes.far[axis]);
+            }
+        }
+    }
+
+    /// Which children any ray of a group may meet.
+    #[inline(always)]
+    pub fn test(&self, lanes: L, planes: &Planes, group: usize) -> u32 {
+        let group = group & (GROUPS - 1);
+        let mut entry = self.tmin;
+        let mut exit = self.tmax;
+        for axis in 0..3 {
+            let near = lanes.load(&planes.near[axis]);
+            let far = lanes.load(&planes.far[axis]);
+            let (near_origin, far_origin) =
+                (lanes.splat(self.near[axis][group]), lanes.splat(self.far[axis][group]));
+            if self.is_parallel {
+                entry = lanes.max(entry, lanes.add(near, near_origin));
+                exit = lanes.min(exit, lanes.add(far, far_origin));
+            } else {
+                let (near, far) = (lanes.sub(near, near_origin), lanes.sub(far, far_origin));
+                let (low, high) = (self.inverse_low[axis], self.inverse_high[axis]);
+                let first = lanes.min(lanes.mul(near, low), lanes.mul(near, high));
+                let last = lanes.max(lanes.mul(far, low), lanes.mul(far, high));
+                entry = lanes.max(entry, lanes.sub(first, self.margin[axis]));
+                exit = lanes.min(exit, lanes.add(last, self.margin[axis]));
+            }
+        }
         lanes.le(entry, exit)
-    }
-
-    #[inline(always)]
-    fn near(&self, lanes: L, node: &WideNode, axis: usize) -> L::F {
-        let from = lanes.sub(lanes.load(&node.planes[self.entry[axis]]), self.origin_near[axis]);
-        let mut t = lanes.mul(from, self.inverse_low[axis]);
-        if !self.is_parallel {
-            t = lanes.min(t, lanes.mul(from, self.inverse_high[axis]));
-        }
-        lanes.sub(t, self.margin[axis])
-    }
-
-    #[inline(always)]
-    fn far(&self, lanes: L, node: &WideNode, axis: usize) -> L::F {
-        let from = lanes.sub(lanes.load(&node.planes[self.entry[axis] ^ 1]), self.origin_far[axis]);
-        let mut t = lanes.mul(from, self.inverse_low[axis]);
-        if !self.is_parallel {
-            t = lanes.max(t, lanes.mul(from, self.inverse_high[axis]));
-        }
-        lanes.add(t, self.margin[axis])
     }
 }

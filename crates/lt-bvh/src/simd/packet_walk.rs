@@ -1,14 +1,14 @@
 //! Packets of 64 rays down the wide tree, each node with the mask of the rays that reached it.
 //!
-//! A node is first tested once for the whole packet, eight children at a time, then each child that remains is tested by the
-//! rays themselves. Which rays are where is exact at every node, so that a packet of rays that drift apart turns
+//! A node is first tested once for each group of ray lanes, eight children at a time, then each child that remains by the
+//! rays of the group themselves. Which rays are where is exact at every node, so that a packet of rays that drift apart turns
 //! into a stream of small groups, and then into single rays, instead of testing what none of its rays meets.
 
-use super::lanes::NodeLanes;
-use super::packet::{Frustum, Kind, PACKET, Packet, Weights};
+use super::lanes::{Lanes, NodeLanes};
+use super::packet::{Frusta, Kind, PACKET, Packet, Planes, Run, Weights, bits_at};
 use super::prepared::Prepared;
 use super::traverse::{self, Instanced, Scratch};
-use super::tree::{LEAF, Part, ROOT, STACK, SimdTree};
+use super::tree::{LEAF, Part, ROOT, STACK, SimdTree, WideNode};
 use crate::any_hit::AnyHit;
 use crate::ray::{NONE, Ray};
 use crate::slab::{Span, WHOLE_RAY};
@@ -16,7 +16,7 @@ use crate::slab::{Span, WHOLE_RAY};
 /// Packets of fewer rays do not repay their preparation.
 const LEAST_RAYS: usize = 4;
 /// So few rays are tested against a node one by one, eight children at a time.
-const SOME: u32 = 6;
+const FEW: u32 = 8;
 
 /// A packet's way through one tree.
 struct Walk {
@@ -47,7 +47,9 @@ trait Leaves<L: NodeLanes> {
 #[inline(always)]
 fn blocked<L: NodeLanes, T: Leaves<L>>(lanes: L, leaves: &mut T, packet: &Packet, walk: &mut Walk) -> u64 {
     let rays = lanes.rays();
-    let frustum: Frustum<L> = packet.frustum(lanes, leaves.tree());
+    let frusta: Frusta<L> = packet.frusta(lanes, leaves.tree());
+    let ends = packet.ends(rays);
+    let mut planes = Planes::none();
     let mut alive = packet.all();
     if walk.blocker != NONE {
         let found = leaves.blocked(lanes, packet, walk.blocker, alive);
@@ -82,41 +84,54 @@ fn blocked<L: NodeLanes, T: Leaves<L>>(lanes: L, leaves: &mut T, packet: &Packet
             continue;
         }
         let node = &leaves.tree().nodes[link as usize];
-        if count <= SOME {
-            let mut reached = [0u64; 8];
-            let (mut some, mut children) = (here, 0);
-            while some != 0 {
-                let ray = some.trailing_zeros() as usize;
-                let bit = some & some.wrapping_neg();
-                some ^= bit;
-                let (_, met) = packet.boxes(lanes, ray).test(lanes, node, lanes.splat(packet.ray(ray).tmax));
-                children |= met;
-                let mut met = met;
-                while met != 0 {
-                    reached[met.trailing_zeros() as usize & 7] |= bit;
-                    met &= met - 1;
+        let mut reached = [0u64; 8];
+        let mut children = 0;
+        if count <= FEW {
+            children = alone(lanes, packet, node, here, &mut reached);
+        } else {
+            let mut at = 0;
+            frusta.read(lanes, node, &mut planes);
+            while at < PACKET {
+                let group = bits_at::<L::Rays>(here, at);
+                let mut may_meet =
+                    if group == 0 { 0 } else { frusta.test(lanes, &planes, at / <L::Rays as Lanes>::WIDTH) };
+                while may_meet != 0 {
+                    let child = may_meet.trailing_zeros() as usize & 7;
+                    may_meet &= may_meet - 1;
+                    let met = packet.meets(rays, &planes, child, at, ends) & group;
+                    reached[child] |= u64::from(met) << at;
+                    children |= u32::from(met != 0) << child;
                 }
+                at += <L::Rays as Lanes>::WIDTH;
             }
-            while children != 0 {
-                let child = children.trailing_zeros() as usize & 7;
-                children &= children - 1;
-                walk.links[len] = node.children[child];
-                walk.masks[len] = reached[child];
-                len += 1;
-            }
-            continue;
         }
-        let mut children = frustum.test(lanes, node);
         while children != 0 {
             let child = children.trailing_zeros() as usize & 7;
             children &= children - 1;
-            let reached = packet.meets(rays, node, child, here);
             walk.links[len] = node.children[child];
-            walk.masks[len] = reached;
-            len += usize::from(reached != 0);
+            walk.masks[len] = reached[child];
+            len += 1;
         }
     }
     packet.all() & !alive
+}
+
+/// Tests the rays of `mask` against a node one by one; which children any of them meets, and which meet each.
+#[inline(always)]
+fn alone<L: NodeLanes>(lanes: L, packet: &Packet, node: &WideNode, mask: u64, reached: &mut [u64; 8]) -> u32 {
+    let (mut mask, mut children) = (mask, 0);
+    while mask != 0 {
+        let ray = mask.trailing_zeros() as usize;
+        let bit = mask & mask.wrapping_neg();
+        mask ^= bit;
+        let (_, mut met) = packet.boxes(lanes, ray).test(lanes, node, lanes.splat(packet.ray(ray).tmax));
+        children |= met;
+        while met != 0 {
+            reached[met.trailing_zeros() as usize & 7] |= bit;
+            met &= met - 1;
+        }
+    }
+    children
 }
 
 /// Blocks of triangles.
@@ -185,20 +200,18 @@ impl Work {
         &mut self,
         lanes: L,
         part: Part,
-        kind: Kind,
+        (kind, run): (Kind, Run),
         rays: &[Ray],
-        windows: &[Span],
+        windows: Option<&[Span]>,
         any_hit: A,
     ) -> u64 {
-        self.packet.fill(kind, rays, windows);
+        self.packet.fill(kind, run, rays, windows);
         self.packet.prepare(lanes.rays(), part.tree);
         let (weights, scratch) = (&mut self.weights, &mut self.scratch);
         let mut leaves = Triangles { part, any_hit, weights, scratch };
         blocked(lanes, &mut leaves, &self.packet, &mut self.walk)
     }
 }
-
-const WHOLE_RAYS: [Span; PACKET] = [WHOLE_RAY; PACKET];
 
 /// Whether each ray is blocked by one tree in world space.
 #[inline(always)]
@@ -212,12 +225,12 @@ pub(crate) fn occluded<L: NodeLanes, A: AnyHit>(
     let mut work = Work::new();
     let mut at = 0;
     while at < rays.len() {
-        let (kind, len) = Kind::run(&rays[at..]);
-        let (rays, out) = (&rays[at..at + len], &mut out[at..at + len]);
-        at += len;
-        match kind {
-            Some(kind) if len >= LEAST_RAYS => {
-                let blocked = work.blocked(lanes, part, kind, rays, &WHOLE_RAYS, any_hit);
+        let run = Run::first(&rays[at..]);
+        let (rays, out) = (&rays[at..at + run.len], &mut out[at..at + run.len]);
+        at += run.len;
+        match run.kind {
+            Some(kind) if run.len >= LEAST_RAYS => {
+                let blocked = work.blocked(lanes, part, (kind, run), rays, None, any_hit);
                 for (i, out) in out.iter_mut().enumerate() {
                     *out = blocked >> i & 1 != 0;
                 }
@@ -278,13 +291,15 @@ impl<L: NodeLanes, A: AnyHit> Leaves<L> for Instances<'_, '_, A> {
         }
         let (mut found, mut at) = (0, 0);
         while at < entered.len {
-            let (kind, len) = Kind::run(&entered.rays[at..entered.len]);
-            let (rays, windows) = (&entered.rays[at..at + len], &entered.windows[at..at + len]);
-            let outside = &entered.outside[at..at + len];
-            at += len;
-            match kind {
-                Some(kind) if len >= LEAST_RAYS => {
-                    let blocked = self.work.blocked(lanes, part, kind, rays, windows, self.any_hit);
+            let run = Run::first(&entered.rays[at..entered.len]);
+            let end = at + run.len;
+            let (rays, windows) = (&entered.rays[at..end], &entered.windows[at..end]);
+            let outside = &entered.outside[at..end];
+            at = end;
+            match run.kind {
+                Some(kind) if run.len >= LEAST_RAYS => {
+                    let windows = Some(windows);
+                    let blocked = self.work.blocked(lanes, part, (kind, run), rays, windows, self.any_hit);
                     for (i, &ray) in outside.iter().enumerate() {
                         found |= (blocked >> i & 1) << ray;
                     }
@@ -320,17 +335,21 @@ pub(crate) fn occluded_instanced<L: NodeLanes, A: AnyHit>(
     let mut work = Work::new();
     let mut packet = Packet::empty();
     let mut walk = Walk::new();
-    let mut entered =
-        Entered { rays: [Ray::default(); PACKET], windows: WHOLE_RAYS, outside: [0; PACKET], len: 0 };
+    let mut entered = Entered {
+        rays: [Ray::default(); PACKET],
+        windows: [WHOLE_RAY; PACKET],
+        outside: [0; PACKET],
+        len: 0,
+    };
     let mut last = NONE;
     let mut at = 0;
     while at < rays.len() {
-        let (kind, len) = Kind::run(&rays[at..]);
-        let (rays, out) = (&rays[at..at + len], &mut out[at..at + len]);
-        at += len;
-        match kind {
-            Some(kind) if len >= LEAST_RAYS => {
-                packet.fill(kind, rays, &WHOLE_RAYS);
+        let run = Run::first(&rays[at..]);
+        let (rays, out) = (&rays[at..at + run.len], &mut out[at..at + run.len]);
+        at += run.len;
+        match run.kind {
+            Some(kind) if run.len >= LEAST_RAYS => {
+                packet.fill(kind, run, rays, None);
                 packet.prepare(lanes.rays(), view.tlas);
                 let (entered, work, last) = (&mut entered, &mut work, &mut last);
                 let mut leaves = Instances { view, any_hit, entered, work, last };

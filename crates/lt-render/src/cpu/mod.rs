@@ -3,7 +3,9 @@
 //! The same input gives the same bits for any number of threads: every pixel is computed alone, and the only order
 //! that matters (the depth test's) is a minimum.
 
+mod batch;
 mod raster;
+mod shortcut;
 mod tiles;
 
 use std::time::Instant;
@@ -29,6 +31,8 @@ use crate::{
     Backend, EffectPlan, Frame, FrameJob, MapSource, MapTest, PackedScene, Pass, PassKind, RenderError,
 };
 
+pub use batch::{BatchTest, evaluate_batch};
+
 /// See the [module](self).
 pub struct CpuBackend {
     scene: PackedScene,
@@ -45,6 +49,11 @@ pub struct CpuBackend {
 }
 
 impl CpuBackend {
+    /// The depth map that the last frame drew, in rows; empty before the first.
+    pub fn depth_map(&self) -> &[f32] {
+        &self.depths
+    }
+
     /// Takes the scene and prepares its tracer.
     pub fn new(scene: PackedScene) -> Self {
         // The tracer makes its tree on first use: not in the first frame.
@@ -184,6 +193,8 @@ impl Backend for CpuBackend {
 impl CpuBackend {
     fn estimate(&mut self, test: MapTest, source: MapSource, job: &FrameJob) {
         match test {
+            MapTest::Vsm if source == MapSource::Gather => self.estimate_batched::<Vsm>(job),
+            MapTest::Evsm if source == MapSource::Gather => self.estimate_batched::<Evsm>(job),
             MapTest::Sm => self.estimate_with::<Sm>(source, job),
             MapTest::Pcf => self.estimate_with::<Pcf>(source, job),
             MapTest::Vsm => self.estimate_with::<Vsm>(source, job),
@@ -192,6 +203,17 @@ impl CpuBackend {
             MapTest::Msm => self.estimate_with::<MsmHamburger>(source, job),
             MapTest::MsmHausdorff => self.estimate_with::<MsmHausdorff>(source, job),
         }
+    }
+
+    fn estimate_batched<T: BatchTest>(&mut self, job: &FrameJob) {
+        let (p, depths, has_doubts) = (&job.shadow, &self.depths[..], job.plan.doubt_list);
+        let blocks = (self.samples.par_chunks(BLOCK))
+            .zip(self.visibility.par_chunks_mut(BLOCK))
+            .zip(self.is_doubted.par_chunks_mut(BLOCK));
+        blocks.for_each(|((samples, lit), doubted)| match has_doubts {
+            false => evaluate_batch::<T, false>(samples, p, depths, lit, doubted),
+            true => evaluate_batch::<T, true>(samples, p, depths, lit, doubted),
+        });
     }
 
     fn estimate_with<T: TestFromParams>(&mut self, source: MapSource, job: &FrameJob) {

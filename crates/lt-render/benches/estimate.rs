@@ -1,0 +1,124 @@
+//! Map evaluation: nanoseconds per pixel of the batched evaluator beside the shared per-pixel function.
+//!
+//! `street` at 1920×1080, one 2048² map, samples in 32×32 tiles, Morton order inside. Before every pass 256 MB are read
+//! and written, so that neither map nor samples are in a cache. One thread, by its own CPU time; interleaved repeats, medians. Per pixel of the picture, settled ones included, and per pixel that the map
+//! answers. Run: `cargo bench -p lt-render --bench estimate`.
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use lt_math::glam::UVec2;
+use lt_math::{Evsm, Vsm};
+use lt_render::cpu::{BatchTest, CpuBackend, evaluate_batch};
+use lt_render::{Backend, BackendKind, PackedScene, PassKind, Session, Setup};
+use lt_scene::Source;
+use lt_shaders::abi::{Sample, ShadowParams};
+use lt_shaders::evaluate::{GatheredDepths, evaluate, settle};
+
+const REPEATS: usize = 15;
+const SIZE: UVec2 = UVec2::new(1920, 1080);
+const MAP_SIZE: u32 = 2048;
+
+fn main() {
+    let scene = Source::open("street", 1).and_then(|s| s.pose(0.0)).expect("a built-in scene");
+    let setup = Setup { map_size: MAP_SIZE, ..Setup::for_scene(&scene, SIZE.x, SIZE.y) };
+    let session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
+    let samples = in_tiles(session.samples());
+    let mut backend = CpuBackend::new(PackedScene::new(&scene).expect("packs"));
+    println!("technique    pixels   by map |  batch ns/px  (by map)  shared ns/px  (by map) | ratio");
+    for id in ["vsm", "ltt-vsm", "evsm", "ltt-evsm"] {
+        let job = session.job(&id.parse().expect("id"));
+        backend.begin(&job).expect("begins");
+        backend.pass(PassKind::DepthMap, &job).expect("draws");
+        let (p, depths) = (&job.shadow, backend.depth_map());
+        match id {
+            "vsm" => row::<Vsm, false>(id, &samples, p, depths),
+            "ltt-vsm" => row::<Vsm, true>(id, &samples, p, depths),
+            "evsm" => row::<Evsm, false>(id, &samples, p, depths),
+            _ => row::<Evsm, true>(id, &samples, p, depths),
+        }
+    }
+}
+
+fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], p: &ShadowParams, depths: &[f32]) {
+    let mut cache = vec![1u64; 32 << 20];
+    let new = || (vec![0.0f32; samples.len()], vec![false; samples.len()]);
+    let mut answers = [new(), new()];
+    let mut times = [Vec::new(), Vec::new()];
+    for round in 0..=REPEATS {
+        for (way, (lit, doubted)) in answers.iter_mut().enumerate() {
+            cache.iter_mut().for_each(|x| *x = x.wrapping_mul(3));
+            black_box(&cache);
+            let start = thread_time();
+            if way == 0 {
+                evaluate_batch::<T, LTT>(samples, p, depths, lit, doubted);
+            } else {
+                one_by_one::<T, LTT>(samples, p, depths, lit, doubted);
+            }
+            if round > 0 {
+                times[way].push(thread_time() - start);
+            }
+        }
+    }
+    assert!(answers[0] == answers[1], "{id}: the batch differs from the shared function");
+    let by_map = samples.iter().filter(|s| !settle(s, p.light).1).count();
+    let [batch, shared] = times.map(|mut t| {
+        t.sort();
+        t[t.len() / 2].as_secs_f64() * 1e9
+    });
+    let (all, mapped) = (samples.len() as f64, by_map as f64);
+    println!(
+        "{id:<10} {all:>8} {mapped:>8} | {:>12.2} {:>9.2} {:>13.2} {:>9.2} | {:>5.2}",
+        batch / all,
+        batch / mapped,
+        shared / all,
+        shared / mapped,
+        shared / batch
+    );
+}
+
+fn one_by_one<T: BatchTest, const LTT: bool>(
+    samples: &[Sample],
+    p: &ShadowParams,
+    depths: &[f32],
+    visibility: &mut [f32],
+    is_doubted: &mut [bool],
+) {
+    let map = GatheredDepths { depths };
+    for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
+        let verdict = evaluate::<T, _, LTT>(sample, p, map);
+        *visibility = verdict.visibility;
+        *is_doubted = verdict.is_doubted;
+    }
+}
+
+/// Rows of pixels as 32×32 tiles, in Morton order inside.
+fn in_tiles(rows: &[Sample]) -> Vec<Sample> {
+    let even_bits = |i: u32| (0..5).map(|bit| (i >> (2 * bit) & 1) << bit).sum::<u32>();
+    let mut tiled = Vec::with_capacity(rows.len());
+    for tile_y in 0..SIZE.y.div_ceil(32) {
+        for tile_x in 0..SIZE.x.div_ceil(32) {
+            for i in 0..1024 {
+                let (x, y) = (32 * tile_x + even_bits(i), 32 * tile_y + even_bits(i >> 1));
+                if x < SIZE.x && y < SIZE.y {
+                    tiled.push(rows[(y * SIZE.x + x) as usize]);
+                }
+            }
+        }
+    }
+    tiled
+}
+
+/// CPU time of this thread, where the system tells it; the clock's elsewhere.
+#[cfg(not(unix))]
+fn thread_time() -> Duration {
+    static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
+    START.get_or_init(std::time::Instant::now).elapsed()
+}
+
+/// CPU time of this thread, where the system tells it; the clock's elsewhere.
+#[cfg(unix)]
+fn thread_time() -> Duration {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
+}

@@ -1,0 +1,540 @@
+//! Map evaluation in batches: VSM and EVSM from gathered depths, many pixels at a time, below the shared function.
+//!
+//! [`lt_shaders::evaluate::evaluate`] answers one pixel; this file answers the same for 64 at once, in stages that each
+//! run over arrays: settle and project, footprint, gather, bound. Stages are plain loops without branches over numbers,
+//! which the compiler turns into SIMD; [`evaluate_batch`] holds them compiled for several instruction sets and takes the
+//! best that the processor has. No instruction set contracts a product and a sum, so that every one gives the bits of
+//! the shared function. Tests hold that on every built-in scene.
+//!
+//! An exponential costs as much as the rest of a pixel, and most pixels can do without. [`Evsm`] asks [`Shortcut`]
+//! first, which knows three kinds of footprint whose answer is certain.
+
+use lt_math::glam::{Mat4, Vec4};
+use lt_math::{Evsm, Vsm, chebyshev, float, needs_ray};
+use lt_shaders::abi::{Sample, ShadowParams};
+use lt_shaders::evaluate::{GatheredDepths, TestFromParams, evaluate};
+
+use super::shortcut::Shortcut;
+
+/// Pixels of a batch: its arrays stay in the first-level cache. Measured: 128 take 1.4 times as long, 32 as long.
+const BATCH: usize = 64;
+
+/// A number for every pixel of a batch.
+type Lanes = [f32; BATCH];
+
+/// Estimate and doubt of many pixels from a map of plain depths, by a test that has a batch form.
+///
+/// `depths` are `p.map_size`² in rows; `visibility` and `is_doubted` have the length of `samples`. Gives the bits of
+/// [`evaluate`] for each sample, in any order of samples; samples in tile order find their texels in the cache.
+///
+/// # Panics
+/// If the lengths disagree.
+pub fn evaluate_batch<T: BatchTest, const LTT: bool>(
+    samples: &[Sample],
+    p: &ShadowParams,
+    depths: &[f32],
+    visibility: &mut [f32],
+    is_doubted: &mut [bool],
+) {
+    assert!(
+        depths.len() == (p.map_size as usize).pow(2),
+        "{} depths, {}² expected",
+        depths.len(),
+        p.map_size
+    );
+    assert!(samples.len() == visibility.len() && samples.len() == is_doubted.len(), "unequal lengths");
+    #[cfg(target_arch = "x86_64")]
+    if x86::has_avx512() {
+        // SAFETY: the processor has what the function was compiled for.
+        return unsafe { x86::evaluate_avx512::<T, LTT>(samples, p, depths, visibility, is_doubted) };
+    } else if x86::has_avx2() {
+        // SAFETY: as above.
+        return unsafe { x86::evaluate_avx2::<T, LTT>(samples, p, depths, visibility, is_doubted) };
+    }
+    evaluate_all::<T, LTT>(samples, p, depths, visibility, is_doubted);
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    //! The same loops for x86-64 extensions.
+    use super::{BatchTest, Sample, ShadowParams, evaluate_all};
+
+    pub fn has_avx2() -> bool {
+        std::is_x86_feature_detected!("avx2")
+    }
+
+    pub fn has_avx512() -> bool {
+        has_avx2()
+            && std::is_x86_feature_detected!("avx512f")
+            && std::is_x86_feature_detected!("avx512vl")
+            && std::is_x86_feature_detected!("avx512dq")
+    }
+
+    #[target_feature(enable = "avx2")]
+    pub fn evaluate_avx2<T: BatchTest, const LTT: bool>(
+        samples: &[Sample],
+        p: &ShadowParams,
+        depths: &[f32],
+        visibility: &mut [f32],
+        is_doubted: &mut [bool],
+    ) {
+        evaluate_all::<T, LTT>(samples, p, depths, visibility, is_doubted);
+    }
+
+    #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
+    pub fn evaluate_avx512<T: BatchTest, const LTT: bool>(
+        samples: &[Sample],
+        p: &ShadowParams,
+        depths: &[f32],
+        visibility: &mut [f32],
+        is_doubted: &mut [bool],
+    ) {
+        evaluate_all::<T, LTT>(samples, p, depths, visibility, is_doubted);
+    }
+}
+
+/// Full batches, then the rest pixel by pixel.
+#[inline(always)]
+fn evaluate_all<T: BatchTest, const LTT: bool>(
+    samples: &[Sample],
+    p: &ShadowParams,
+    depths: &[f32],
+    visibility: &mut [f32],
+    is_doubted: &mut [bool],
+) {
+    let test = T::from_params(p.test);
+    let mut footprints = Footprints::new();
+    let (batches, rest) = samples.as_chunks::<BATCH>();
+    let (lit, lit_rest) = visibility.as_chunks_mut::<BATCH>();
+    let (doubted, doubted_rest) = is_doubted.as_chunks_mut::<BATCH>();
+    for ((samples, visibility), is_doubted) in batches.iter().zip(lit).zip(doubted) {
+        let rows = Rows::of(samples);
+        let mut states = rows.settle(p.light.to_array());
+        // Whole batches of sky, or of what faces away, need no map.
+        let is_any_open = states.iter().fold(false, |any, &s| any | (s == MAPPED));
+        let answers = if is_any_open {
+            footprints.fill(&rows, p, depths, &mut states);
+            test.visibility_of_footprints::<LTT>(&footprints, &states, p.epsilon)
+        } else {
+            [0.0; BATCH]
+        };
+        for i in 0..BATCH {
+            let v = answers[i];
+            let snapped = if v > 0.5 { 1.0 } else { 0.0 };
+            let by_map = if LTT { snapped } else { v };
+            let is_mapped = states[i] == MAPPED;
+            visibility[i] = if is_mapped {
+                by_map
+            } else if states[i] == BLOCKED {
+                0.0
+            } else {
+                1.0
+            };
+            is_doubted[i] = LTT && ((is_mapped && needs_ray(v, p.epsilon)) || states[i] == OUTSIDE);
+        }
+    }
+    let map = GatheredDepths { depths };
+    for ((sample, visibility), is_doubted) in rest.iter().zip(lit_rest).zip(doubted_rest) {
+        let verdict = evaluate::<T, _, LTT>(sample, p, map);
+        *visibility = verdict.visibility;
+        *is_doubted = verdict.is_doubted;
+    }
+}
+
+/// Settled: nothing visible, or facing away.
+const BLOCKED: u32 = 0;
+/// Settled: receives no shadow.
+const LIT: u32 = 1;
+/// Not settled, and outside the map.
+const OUTSIDE: u32 = 2;
+/// For the map to say.
+const MAPPED: u32 = 3;
+
+/// What the gathers of a batch found, seen from the receivers. Pixels that the map does not answer have numbers, too.
+pub struct Footprints {
+    /// Depths minus the receiver's, each limited to \[0, 1\] before.
+    offsets: [Lanes; 4],
+    weights: [Lanes; 4],
+}
+
+/// The parts of a batch's samples that evaluation reads, each in a row of its own.
+struct Rows {
+    position: [Lanes; 3],
+    normal: [Lanes; 3],
+    flags: [u32; BATCH],
+}
+
+impl Rows {
+    /// By four samples at a time, whose vectors are transposed in registers: left alone, compilers make seven gathers.
+    #[inline(always)]
+    fn of(samples: &[Sample; BATCH]) -> Self {
+        let mut rows = Self { position: [[0.0; BATCH]; 3], normal: [[0.0; BATCH]; 3], flags: [0; BATCH] };
+        for (group, four) in samples.as_chunks::<4>().0.iter().enumerate() {
+            let at = 4 * group..4 * group + 4;
+            let [x, y, z, _] = transposed(four.map(|s| s.position.extend(s.magnitude)));
+            rows.position[0][at.clone()].copy_from_slice(&x);
+            rows.position[1][at.clone()].copy_from_slice(&y);
+            rows.position[2][at.clone()].copy_from_slice(&z);
+            let [x, y, z, flags] = transposed(four.map(|s| s.normal.extend(f32::from_bits(s.flags))));
+            rows.normal[0][at.clone()].copy_from_slice(&x);
+            rows.normal[1][at.clone()].copy_from_slice(&y);
+            rows.normal[2][at.clone()].copy_from_slice(&z);
+            rows.flags[at].copy_from_slice(&flags.map(f32::to_bits));
+        }
+        rows
+    }
+
+    /// [`lt_shaders::evaluate::settle`]: `BLOCKED`, `LIT`, or `MAPPED` if that settles nothing.
+    #[inline(always)]
+    fn settle(&self, light: [f32; 4]) -> [u32; BATCH] {
+        let [x, y, z] = &self.position;
+        let [nx, ny, nz] = &self.normal;
+        let [lx, ly, lz, lw] = light;
+        let mut states = [BLOCKED; BATCH];
+        for i in 0..BATCH {
+            let is_valid = (nx[i] != 0.0) | (ny[i] != 0.0) | (nz[i] != 0.0);
+            let facing = nx[i] * (lx - x[i] * lw) + ny[i] * (ly - y[i] * lw) + nz[i] * (lz - z[i] * lw);
+            let open = if self.flags[i] & Sample::RECEIVES == 0 { LIT } else { MAPPED };
+            states[i] = if is_valid & (facing > 0.0) { open } else { BLOCKED };
+        }
+        states
+    }
+}
+
+/// The channels of four vectors.
+#[inline(always)]
+fn transposed(v: [Vec4; 4]) -> [[f32; 4]; 4] {
+    Mat4::from_cols(v[0], v[1], v[2], v[3]).transpose().to_cols_array_2d()
+}
+
+impl Footprints {
+    fn new() -> Self {
+        Self { offsets: [[0.0; BATCH]; 4], weights: [[0.0; BATCH]; 4] }
+    }
+
+    /// Projects and gathers, and finds who is `OUTSIDE`.
+    #[inline(always)]
+    fn fill(&mut self, rows: &Rows, p: &ShadowParams, depths: &[f32], states: &mut [u32; BATCH]) {
+        let [x, y, z] = &rows.position;
+        let (mut u, mut v, mut receivers) = ([0.0; BATCH], [0.0; BATCH], [0.0; BATCH]);
+        let projection = &p.projection;
+        let [row_x, row_y, row_z, row_w] =
+            [projection.row_x, projection.row_y, projection.row_z, projection.row_w].map(|r| r.to_array());
+        for i in 0..BATCH {
+            let along = |r: [f32; 4]| r[0] * x[i] + r[1] * y[i] + r[2] * z[i] + r[3] * 1.0;
+            let (w, depth) = (along(row_w), along(row_z));
+            let (at_u, at_v) = (along(row_x) / w, along(row_y) / w);
+            let is_unit = |x: f32| (0.0..=1.0).contains(&x);
+            let is_inside = (w > 0.0) & is_unit(at_u) & is_unit(at_v) & is_unit(depth);
+            states[i] = if (states[i] == MAPPED) & !is_inside { OUTSIDE } else { states[i] };
+            // Any place will do outside.
+            u[i] = if is_inside { at_u } else { 0.0 };
+            v[i] = if is_inside { at_v } else { 0.0 };
+            receivers[i] = if is_inside { depth } else { 0.0 };
+        }
+        let mut quads = [[0u32; BATCH]; 4];
+        let (size, last) = (p.map_size as f32, p.map_size as i32 - 1);
+        for i in 0..BATCH {
+            let (x, y) = (u[i] * size - 0.5, v[i] * size - 0.5);
+            let (x0, y0) = (float::floor_lane(x), float::floor_lane(y));
+            let (fx, fy) = (x - x0, y - y0);
+            self.weights[0][i] = (1.0 - fx) * (1.0 - fy);
+            self.weights[1][i] = fx * (1.0 - fy);
+            self.weights[2][i] = (1.0 - fx) * fy;
+            self.weights[3][i] = fx * fy;
+            let (x0, y0) = (float::whole_lane(x0), float::whole_lane(y0));
+            let on_map = |t: i32| t.max(0).min(last) as u32;
+            let (left, right) = (on_map(x0), on_map(x0 + 1));
+            let (upper, lower) =
+                (on_map(y0).wrapping_mul(p.map_size), on_map(y0 + 1).wrapping_mul(p.map_size));
+            quads[0][i] = upper + left;
+            quads[1][i] = upper + right;
+            quads[2][i] = lower + left;
+            quads[3][i] = lower + right;
+        }
+        for i in 0..BATCH {
+            for k in 0..4 {
+                self.offsets[k][i] = depths[quads[k][i] as usize];
+            }
+        }
+        for row in &mut self.offsets {
+            for (offset, receiver) in row.iter_mut().zip(&receivers) {
+                *offset = float::saturate(*offset) - receiver;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn offsets(&self, i: usize) -> [f32; 4] {
+        [self.offsets[0][i], self.offsets[1][i], self.offsets[2][i], self.offsets[3][i]]
+    }
+
+    #[inline(always)]
+    fn weights(&self, i: usize) -> [f32; 4] {
+        [self.weights[0][i], self.weights[1][i], self.weights[2][i], self.weights[3][i]]
+    }
+}
+
+/// A test that answers batches.
+pub trait BatchTest: TestFromParams {
+    /// Visibilities with the bits of the test's own answer; with `LTT` it may also be 0 or 1 for an answer that is sure
+    /// to lie on that side of doubt.
+    fn visibility_of_footprints<const LTT: bool>(
+        &self,
+        footprints: &Footprints,
+        states: &[u32; BATCH],
+        epsilon: f32,
+    ) -> Lanes;
+}
+
+impl BatchTest for Vsm {
+    #[inline(always)]
+    fn visibility_of_footprints<const LTT: bool>(
+        &self,
+        footprints: &Footprints,
+        _: &[u32; BATCH],
+        _: f32,
+    ) -> Lanes {
+        let mut v = [0.0; BATCH];
+        for (i, v) in v.iter_mut().enumerate() {
+            let spread = Spread::of(footprints.offsets(i), footprints.weights(i));
+            *v = float::saturate(spread.bound(self.min_variance));
+        }
+        v
+    }
+}
+
+impl BatchTest for Evsm {
+    #[inline(always)]
+    fn visibility_of_footprints<const LTT: bool>(
+        &self,
+        footprints: &Footprints,
+        states: &[u32; BATCH],
+        epsilon: f32,
+    ) -> Lanes {
+        let shortcut = Shortcut::new(self, epsilon);
+        let mut v = [0.0; BATCH];
+        let mut is_open = [false; BATCH];
+        for i in 0..BATCH {
+            let offsets = footprints.offsets(i);
+            let spread = Spread::of(offsets, footprints.weights(i));
+            let [a, b, c, d] = offsets;
+            let is_lit = (a >= 0.0) & (b >= 0.0) & (c >= 0.0) & (d >= 0.0) & !float::is_nan(spread.mean);
+            if LTT {
+                let is_surely_lit = is_lit | shortcut.is_lit(offsets, spread.mean, spread.variance);
+                let is_surely_dark = shortcut.is_dark(offsets, spread.variance);
+                v[i] = if is_surely_lit { 1.0 } else { 0.0 };
+                is_open[i] = !(is_surely_lit | is_surely_dark) & (states[i] == MAPPED);
+            } else {
+                v[i] = 1.0;
+                is_open[i] = !is_lit & (states[i] == MAPPED);
+            }
+        }
+        let open_count = is_open.iter().map(|&is_open| u32::from(is_open)).sum::<u32>() as usize;
+        if open_count >= DENSE {
+            let answers = bounds(self, &footprints.offsets, &footprints.weights, BATCH);
+            for i in 0..BATCH {
+                v[i] = if is_open[i] { answers[i] } else { v[i] };
+            }
+        } else if open_count > 0 {
+            answer_some(self, footprints, &is_open, &mut v);
+        }
+        v
+    }
+}
+
+/// With so many of a batch's pixels open it takes longer to pick them than to compute them all.
+const DENSE: usize = BATCH * 3 / 4;
+
+/// The full formula for the open pixels of a batch, picked together.
+#[inline(always)]
+fn answer_some(test: &Evsm, footprints: &Footprints, is_open: &[bool; BATCH], v: &mut Lanes) {
+    let mut open = [0u8; BATCH];
+    let mut count = 0;
+    for (i, &is_open) in is_open.iter().enumerate() {
+        open[count & (BATCH - 1)] = i as u8;
+        count += usize::from(is_open);
+    }
+    let open = &open[..count];
+    let (mut offsets, mut weights) = ([[0.0; BATCH]; 4], [[0.0; BATCH]; 4]);
+    for k in 0..4 {
+        for (j, &i) in open.iter().enumerate() {
+            offsets[k][j] = footprints.offsets[k][usize::from(i)];
+            weights[k][j] = footprints.weights[k][usize::from(i)];
+        }
+    }
+    let answers = bounds(test, &offsets, &weights, count.next_multiple_of(16).min(BATCH));
+    for (&i, &answer) in open.iter().zip(&answers) {
+        v[usize::from(i)] = answer;
+    }
+}
+
+/// The full formula for the first `count` of some offsets and weights.
+#[inline(always)]
+fn bounds(test: &Evsm, offsets: &[Lanes; 4], weights: &[Lanes; 4], count: usize) -> Lanes {
+    let (up, down) = (test.positive(), test.negative());
+    let (mut warped_up, mut warped_down) = ([[0.0; BATCH]; 4], [[0.0; BATCH]; 4]);
+    for k in 0..4 {
+        let rows =
+            warped_up[k][..count].iter_mut().zip(&mut warped_down[k][..count]).zip(&offsets[k][..count]);
+        for ((warped_up, warped_down), x) in rows {
+            *warped_up = float::exp_lane(up * x) - 1.0;
+            *warped_down = 1.0 - float::exp_lane(-down * x);
+        }
+    }
+    let mut v = [0.0; BATCH];
+    for (j, v) in v[..count].iter_mut().enumerate() {
+        let lane = |of: &[Lanes; 4]| [of[0][j], of[1][j], of[2][j], of[3][j]];
+        let w = lane(weights);
+        let positive = Spread::of(lane(&warped_up), w).bound(test.min_variance * up * up);
+        let negative = Spread::of(lane(&warped_down), w).bound(test.min_variance * down * down);
+        *v = float::saturate(float::min(positive, negative));
+    }
+    v
+}
+
+/// Mean and variance of four numbers, in the order of operations of [`chebyshev::from_offsets`].
+struct Spread {
+    mean: f32,
+    variance: f32,
+}
+
+impl Spread {
+    #[inline(always)]
+    fn of(x: [f32; 4], w: [f32; 4]) -> Self {
+        let dot = |a: [f32; 4]| a[0] * w[0] + a[1] * w[1] + a[2] * w[2] + a[3] * w[3];
+        let mean = dot(x);
+        let centred = x.map(|x| x - mean);
+        Self { mean, variance: dot(centred.map(|c| c * c)) }
+    }
+
+    #[inline(always)]
+    fn bound(&self, min_variance: f32) -> f32 {
+        chebyshev::upper_bound(float::max(self.variance, min_variance), -self.mean)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lt_math::glam::{UVec2, Vec3};
+    use lt_math::{LightFrame, LightProjection};
+
+    /// Samples all over a map and around it, of every state, with numbers that are none among them; and a map of layers,
+    /// slopes, and depths that are out of range or NaN.
+    fn hard_case(count: usize) -> (Vec<Sample>, ShadowParams, Vec<f32>) {
+        let mut state = 7u32;
+        let mut unit = move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32 / 16_777_216.0
+        };
+        let frame = LightFrame::from_direction(Vec3::new(0.3, -1.0, 0.2));
+        let size = 64u32;
+        let p = ShadowParams {
+            projection: LightProjection::orthographic(&frame, Vec3::splat(-1.0), Vec3::ONE),
+            light: Vec4::new(-0.28, 0.94, -0.19, 0.0),
+            test: Vec4::ZERO,
+            size: UVec2::ONE,
+            map_size: size,
+            epsilon: 0.01,
+            ..bytemuck::Zeroable::zeroed()
+        };
+        let depths = (0..size * size)
+            .map(|i| match i % 97 {
+                0 => f32::NAN,
+                1 => -3.0,
+                2 => f32::INFINITY,
+                _ if i % size < size / 3 => 0.4 + 1e-4 * unit(),
+                _ if i % size < size / 2 => 0.2 + 0.004 * (i / size) as f32,
+                _ => unit(),
+            })
+            .collect();
+        let special = [f32::NAN, f32::INFINITY, 0.0, -1.0, 1e30];
+        let samples = (0..count)
+            .map(|i| {
+                let mut at = |scale: f32| scale * (2.0 * unit() - 1.0);
+                let mut position = Vec3::new(at(1.2), at(1.2), at(1.2));
+                let mut normal = Vec3::new(at(1.0), at(1.0) + 0.8, at(1.0));
+                match i % 53 {
+                    0 => position[i % 3] = special[i % 5],
+                    1 => normal[i % 3] = special[i % 5],
+                    2 => normal = Vec3::ZERO,
+                    _ => {}
+                }
+                let flags = if i % 31 == 0 { 0 } else { Sample::RECEIVES };
+                Sample { position, normal, flags, ..Sample::default() }
+            })
+            .collect();
+        (samples, p, depths)
+    }
+
+    fn shared<T: BatchTest, const LTT: bool>(
+        samples: &[Sample],
+        p: &ShadowParams,
+        depths: &[f32],
+    ) -> Vec<(f32, bool)> {
+        let map = GatheredDepths { depths };
+        let verdicts = samples.iter().map(|s| evaluate::<T, _, LTT>(s, p, map));
+        verdicts.map(|v| (v.visibility, v.is_doubted)).collect()
+    }
+
+    type Level<'a> = (&'a str, &'a dyn Fn(&[Sample], &ShadowParams, &[f32], &mut [f32], &mut [bool]));
+
+    fn check<T: BatchTest, const LTT: bool>(params: Vec4) {
+        for count in [0, 1, BATCH - 1, BATCH, BATCH + 1, 40 * BATCH + 5] {
+            let (samples, mut p, depths) = hard_case(count);
+            p.test = params;
+            let expected = shared::<T, LTT>(&samples, &p, &depths);
+            let mut levels: Vec<Level<'_>> =
+                vec![("portable", &evaluate_all::<T, LTT>), ("chosen", &evaluate_batch::<T, LTT>)];
+            #[cfg(target_arch = "x86_64")]
+            if x86::has_avx2() {
+                levels.push(("avx2", &|samples, p, depths, lit, doubted| {
+                    // SAFETY: the processor has AVX2, as was asked.
+                    unsafe { x86::evaluate_avx2::<T, LTT>(samples, p, depths, lit, doubted) }
+                }));
+            }
+            for (name, level) in levels {
+                let (mut lit, mut doubted) = (vec![0.25; count], vec![false; count]);
+                level(&samples, &p, &depths, &mut lit, &mut doubted);
+                for (i, (&(v, is_doubted), (&lit, &doubted))) in
+                    expected.iter().zip(lit.iter().zip(&doubted)).enumerate()
+                {
+                    let is_same = v.to_bits() == lit.to_bits() || (v.is_nan() && lit.is_nan());
+                    assert!(
+                        is_same && is_doubted == doubted,
+                        "{name} {i}: {lit} {doubted}, expected {v} {is_doubted}"
+                    );
+                }
+            }
+            if LTT && count > 1000 {
+                let tally = |f: &dyn Fn(&(f32, bool)) -> bool| expected.iter().filter(|v| f(v)).count();
+                assert!(tally(&|v| v.1) > 50 && tally(&|v| !v.1 && v.0 == 1.0) > 50, "all kinds occur");
+                assert!(tally(&|v| !v.1 && v.0 == 0.0) > 50, "all kinds occur");
+            }
+        }
+    }
+
+    #[test]
+    fn vsm_batches_have_the_bits_of_the_shared_function() {
+        for min_variance in [0.0, 1e-10, 1e-3] {
+            check::<Vsm, false>(Vec4::splat(min_variance));
+            check::<Vsm, true>(Vec4::splat(min_variance));
+        }
+    }
+
+    #[test]
+    fn evsm_batches_have_the_bits_of_the_shared_function() {
+        for (up, down, min_variance) in [
+            (20.0, 5.0, 1e-10),
+            (42.0, 1e9, 0.0),
+            (0.0, 5.0, 1e-10),
+            (5.0, 40.0, 1e-6),
+            (f32::NAN, 5.0, 1e-10),
+        ] {
+            let params = Vec4::new(up, down, min_variance, 0.0);
+            check::<Evsm, false>(params);
+            check::<Evsm, true>(params);
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Map evaluation in batches gives the verdicts of the shared function, on every built-in scene.
+
+use lt_math::{Evsm, Vsm};
+use lt_render::cpu::{BatchTest, CpuBackend, evaluate_batch};
+use lt_render::{Backend, PackedScene, PassKind, Sample};
+use lt_shaders::abi::ShadowParams;
+use lt_shaders::evaluate::{GatheredDepths, evaluate};
+use lt_tests::{builtin, cpu_session};
+
+const SCENES: [&str; 8] =
+    ["street", "square:6", "forest:12", "town:40", "fence", "cornell", "hairball", "random:10000"];
+
+#[test]
+fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
+    for name in SCENES {
+        let scene = builtin(name);
+        let session = cpu_session(&scene, 333, 217);
+        let mut backend = CpuBackend::new(PackedScene::new(&scene).expect("packs"));
+        for id in ["vsm", "ltt-vsm", "evsm", "ltt-evsm"] {
+            let job = session.job(&id.parse().expect("id"));
+            backend.begin(&job).expect("begins");
+            backend.pass(PassKind::DepthMap, &job).expect("draws");
+            let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_map());
+            let different = match id {
+                "vsm" => differences::<Vsm, false>(samples, p, depths),
+                "ltt-vsm" => differences::<Vsm, true>(samples, p, depths),
+                "evsm" => differences::<Evsm, false>(samples, p, depths),
+                _ => differences::<Evsm, true>(samples, p, depths),
+            };
+            assert_eq!(different, 0, "{name} {id}");
+        }
+    }
+}
+
+fn differences<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowParams, depths: &[f32]) -> usize {
+    let (mut lit, mut doubted) = (vec![0.0; samples.len()], vec![false; samples.len()]);
+    evaluate_batch::<T, LTT>(samples, p, depths, &mut lit, &mut doubted);
+    let map = GatheredDepths { depths };
+    let is_different = |(i, sample): (usize, &Sample)| {
+        let v = evaluate::<T, _, LTT>(sample, p, map);
+        v.visibility.to_bits() != lit[i].to_bits() || v.is_doubted != doubted[i]
+    };
+    samples.iter().enumerate().filter(|&s| is_different(s)).count()
+}
