@@ -57,8 +57,6 @@ pub struct Embree {
     answers: Answers,
     /// Version and abilities.
     pub description: String,
-    /// Keeps the functions above alive.
-    _library: Library,
 }
 
 impl Embree {
@@ -73,7 +71,8 @@ impl Embree {
         // SAFETY: whoever sets the variable vouches for the library; ours runs no code when it is loaded, and the
         // signatures below are those of xtask/embree/embree.cpp.
         unsafe {
-            let library = Library::new(path)?;
+            // Never unloaded: the threads that Embree builds with outlive its device, and run the library's code.
+            let library: &'static Library = Box::leak(Box::new(Library::new(path)?));
             let open = library.get::<unsafe extern "C" fn(u32) -> c_int>(b"lt_embree_open\0")?;
             if open(BUILD_THREADS) == 0 {
                 return Err("Embree's device cannot be opened, or lacks filter functions".into());
@@ -93,7 +92,6 @@ impl Embree {
                 occluded: *library.get(b"lt_embree_occluded\0")?,
                 answers: *library.get(b"lt_embree_answers\0")?,
                 description: CStr::from_ptr(text.as_ptr()).to_string_lossy().into_owned(),
-                _library: library,
             }))
         }
     }
